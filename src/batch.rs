@@ -1,0 +1,253 @@
+//! Batches: the single call over strided arrays. The one place outside `capi` that touches memory
+//! by address.
+
+#![allow(unsafe_code)]
+
+use crate::bsdf::Bsdf;
+use crate::error::Error;
+
+/// The most numbers that varying parameters may have together.
+const MAX_FLOATS: usize = 48;
+
+/// A strided array to read: component c of element i is `i * element_stride + c * component_stride`
+/// bytes from `data`. Any alignment, any sign of stride.
+#[derive(Clone, Copy, Debug)]
+pub struct ConstView {
+    /// Component 0 of element 0.
+    pub data: *const f32,
+    /// Bytes from one element to the next.
+    pub element_stride: isize,
+    /// Bytes from one component to the next.
+    pub component_stride: isize,
+}
+
+/// A strided array to write, addressed like [`ConstView`]; null data = not wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct View<T = f32> {
+    /// Component 0 of element 0.
+    pub data: *mut T,
+    /// Bytes from one element to the next.
+    pub element_stride: isize,
+    /// Bytes from one component to the next.
+    pub component_stride: isize,
+}
+
+/// Arguments of [`eval`].
+#[derive(Clone, Copy, Debug)]
+pub struct EvalArgs<'a> {
+    /// How many elements.
+    pub count: usize,
+    /// Directions to the viewer.
+    pub wo: ConstView,
+    /// Directions to the light.
+    pub wi: ConstView,
+    /// One view per varying parameter, or none at all; null data = the parameter's own value.
+    pub varying: &'a [ConstView],
+    /// Receives f |wi.z|.
+    pub value: View,
+    /// Receives the density.
+    pub pdf: View,
+}
+
+/// Arguments of [`sample`].
+#[derive(Clone, Copy, Debug)]
+pub struct SampleArgs<'a> {
+    /// How many elements.
+    pub count: usize,
+    /// Directions to the viewer.
+    pub wo: ConstView,
+    /// Uniform numbers in [0, 1).
+    pub u: ConstView,
+    /// As in [`EvalArgs`].
+    pub varying: &'a [ConstView],
+    /// Receives the directions to the light.
+    pub wi: View,
+    /// Receives the density.
+    pub pdf: View,
+    /// Receives value / pdf.
+    pub weight: View,
+    /// Receives the ratio of indices.
+    pub eta: View,
+    /// Receives the chosen lobe's flags.
+    pub flags: View<u32>,
+    /// Receives the chosen lobe's number.
+    pub lobe: View<u32>,
+}
+
+/// Value and density of every element; equal to the single calls bit for bit.
+///
+/// # Errors
+/// `InvalidArgument`, before anything is read or written, if a needed view is null, no output is
+/// wanted, the number of varying views is wrong, or an offset overflows the address space.
+///
+/// # Safety
+/// Every address that the views stand for must be readable, or writable. An output may coincide
+/// with an input element for element (same address and stride), not otherwise overlap one.
+pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs) -> Result<(), Error> {
+    let count = args.count;
+    if args.value.data.is_null() && args.pdf.data.is_null() {
+        return Err(Error::invalid("value and pdf are both NULL: nothing to compute"));
+    }
+    args.wo.check("wo", 3, count)?;
+    args.wi.check("wi", 3, count)?;
+    args.value.check("value", 3, count)?;
+    args.pdf.check("pdf", 1, count)?;
+    let varying = VaryingViews::new(bsdf, args.varying, count)?;
+    // SAFETY: the caller vouches for every address of every view.
+    unsafe {
+        for i in 0..count {
+            let mut numbers = [0.0; MAX_FLOATS];
+            let varying = varying.load(i, &mut numbers);
+            let (wo, wi) = (args.wo.load(i).into(), args.wi.load(i).into());
+            if args.pdf.data.is_null() {
+                args.value.store(i, bsdf.eval(wo, wi, varying));
+            } else {
+                let (value, pdf) = bsdf.eval_pdf(wo, wi, varying);
+                args.value.store(i, value);
+                args.pdf.store(i, [pdf]);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A sampled direction for every element; equal to the single calls bit for bit.
+///
+/// # Errors
+/// As [`eval`].
+///
+/// # Safety
+/// As [`eval`].
+pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs) -> Result<(), Error> {
+    let count = args.count;
+    let floats = [args.wi, args.pdf, args.weight, args.eta];
+    let wanted = floats.iter().any(|view| !view.data.is_null())
+        || [args.flags, args.lobe].iter().any(|view| !view.data.is_null());
+    if !wanted {
+        return Err(Error::invalid("every output is NULL: nothing to compute"));
+    }
+    args.wo.check("wo", 3, count)?;
+    args.u.check("u", 3, count)?;
+    args.wi.check("wi", 3, count)?;
+    args.pdf.check("pdf", 1, count)?;
+    args.weight.check("weight", 3, count)?;
+    args.eta.check("eta", 1, count)?;
+    args.flags.check("flags", 1, count)?;
+    args.lobe.check("lobe", 1, count)?;
+    let varying = VaryingViews::new(bsdf, args.varying, count)?;
+    // SAFETY: the caller vouches for every address of every view.
+    unsafe {
+        for i in 0..count {
+            let mut numbers = [0.0; MAX_FLOATS];
+            let varying = varying.load(i, &mut numbers);
+            let sample = bsdf.sample(args.wo.load(i).into(), args.u.load(i).into(), varying);
+            args.wi.store(i, sample.wi.to_array());
+            args.pdf.store(i, [sample.pdf]);
+            args.weight.store(i, sample.weight);
+            args.eta.store(i, [sample.eta]);
+            args.flags.store(i, [sample.flags.0]);
+            args.lobe.store(i, [sample.lobe as u32]);
+        }
+    }
+    Ok(())
+}
+
+/// Refuses views whose farthest component is further away than an address can say.
+fn check_reach(
+    name: &str,
+    components: usize,
+    count: usize,
+    element_stride: isize,
+    component_stride: isize,
+) -> Result<(), Error> {
+    let reach = |steps: usize, stride: isize| steps.checked_mul(stride.unsigned_abs());
+    let farthest = reach(count.saturating_sub(1), element_stride)
+        .zip(reach(components - 1, component_stride))
+        .and_then(|(elements, components)| elements.checked_add(components));
+    match farthest {
+        Some(bytes) if isize::try_from(bytes).is_ok() => Ok(()),
+        _ => Err(Error::invalid(format!(
+            "{name}: count = {count} with element_stride = {element_stride} and \
+             component_stride = {component_stride} overflows the address space"
+        ))),
+    }
+}
+
+impl ConstView {
+    fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
+        if self.data.is_null() && count > 0 {
+            return Err(Error::invalid(format!("{name}.data is NULL")));
+        }
+        check_reach(name, components, count, self.element_stride, self.component_stride)
+    }
+
+    unsafe fn at(&self, i: usize, c: usize) -> f32 {
+        let offset = i as isize * self.element_stride + c as isize * self.component_stride;
+        // SAFETY: the caller of the batch vouches for this address; check_reach for the offset.
+        unsafe { self.data.byte_offset(offset).read_unaligned() }
+    }
+
+    unsafe fn load(&self, i: usize) -> [f32; 3] {
+        // SAFETY: as in `at`.
+        unsafe { [self.at(i, 0), self.at(i, 1), self.at(i, 2)] }
+    }
+}
+
+impl<T: Copy> View<T> {
+    fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
+        check_reach(name, components, count, self.element_stride, self.component_stride)
+    }
+
+    unsafe fn store<const N: usize>(&self, i: usize, values: [T; N]) {
+        if self.data.is_null() {
+            return;
+        }
+        for (c, value) in values.into_iter().enumerate() {
+            let offset = i as isize * self.element_stride + c as isize * self.component_stride;
+            // SAFETY: the caller of the batch vouches for this address; check_reach for the offset.
+            unsafe { self.data.byte_offset(offset).write_unaligned(value) }
+        }
+    }
+}
+
+/// The varying parameters of all elements.
+struct VaryingViews<'a> {
+    bsdf: &'a Bsdf,
+    views: &'a [ConstView],
+}
+
+impl<'a> VaryingViews<'a> {
+    fn new(bsdf: &'a Bsdf, views: &'a [ConstView], count: usize) -> Result<Self, Error> {
+        if !views.is_empty() && views.len() != bsdf.varying_count() {
+            return Err(Error::invalid(format!(
+                "varying_count = {} but the BSDF has {} varying parameters",
+                views.len(),
+                bsdf.varying_count()
+            )));
+        }
+        for (view, components) in views.iter().zip(bsdf.varying_components()) {
+            check_reach("varying", components, count, view.element_stride, view.component_stride)?;
+        }
+        Ok(Self { bsdf, views })
+    }
+
+    /// The numbers of element i, one parameter after another.
+    unsafe fn load<'b>(&self, i: usize, numbers: &'b mut [f32; MAX_FLOATS]) -> Option<&'b [f32]> {
+        if self.views.is_empty() {
+            return None;
+        }
+        let floats = self.bsdf.varying_floats();
+        numbers[..floats].copy_from_slice(self.bsdf.varying_defaults());
+        let mut first = 0;
+        for (view, components) in self.views.iter().zip(self.bsdf.varying_components()) {
+            if !view.data.is_null() {
+                for c in 0..components {
+                    // SAFETY: the caller of the batch vouches for this address.
+                    numbers[first + c] = unsafe { view.at(i, c) };
+                }
+            }
+            first += components;
+        }
+        Some(&numbers[..floats])
+    }
+}

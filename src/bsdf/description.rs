@@ -1,0 +1,243 @@
+//! What to create, and the checks that turn it into validated values.
+
+use super::Scalar;
+use super::varying::{Range, upward};
+use crate::error::Error;
+use crate::lobe::{Entry, ModelInfo, ParamInfo, ParamKind, Values};
+
+/// A model's name, the parameters that differ from their defaults, and those that vary per call.
+/// Nothing is checked before [`super::Bsdf::new`].
+#[derive(Clone, Debug, Default)]
+pub struct Description {
+    model: String,
+    params: Vec<(String, Given)>,
+    varying: Vec<(String, f32, f32)>,
+}
+
+/// A parameter's value as given.
+#[derive(Clone, Debug)]
+enum Given {
+    Numbers(Vec<f32>),
+    Choice(String),
+}
+
+impl Description {
+    /// Of a model with every parameter at its default.
+    pub fn new(model: &str) -> Self {
+        Self { model: model.to_owned(), ..Self::default() }
+    }
+
+    /// The model's name.
+    pub fn model(&self) -> &str {
+        &self.model
+    }
+
+    /// Sets numbers; a single number stands for all three components, directions excepted.
+    #[must_use]
+    pub fn set(mut self, param: &str, numbers: &[f32]) -> Self {
+        self.params.push((param.to_owned(), Given::Numbers(numbers.to_vec())));
+        self
+    }
+
+    /// Makes a choice.
+    #[must_use]
+    pub fn choose(mut self, param: &str, choice: &str) -> Self {
+        self.params.push((param.to_owned(), Given::Choice(choice.to_owned())));
+        self
+    }
+
+    /// Declares a parameter that is given per call, and the range of each of its components;
+    /// 0 and 0 for a direction.
+    #[must_use]
+    pub fn vary(mut self, param: &str, min: f32, max: f32) -> Self {
+        self.varying.push((param.to_owned(), min, max));
+        self
+    }
+
+    /// Checks everything there is to check.
+    pub(super) fn resolve(&self, entry: &Entry) -> Result<Resolved, Error> {
+        let info = entry.info;
+        let mut resolved = Resolved { values: Values::defaults(info), varying: Vec::new() };
+        let mut seen = vec![false; info.params.len()];
+        for (name, given) in &self.params {
+            let index = index_of(info, name)?;
+            if std::mem::replace(&mut seen[index], true) {
+                return Err(Error::invalid(format!("parameter '{name}' is given twice")));
+            }
+            set(&mut resolved.values, index, &info.params[index], given)?;
+        }
+        for (name, min, max) in &self.varying {
+            let param = index_of(info, name)?;
+            if resolved.varying.iter().any(|range| range.param == param) {
+                return Err(Error::invalid(format!("varying parameter '{name}' is given twice")));
+            }
+            let range = Range { param, min: *min, max: *max };
+            check_range(info, &range)?;
+            resolved.varying.push(range);
+        }
+        (entry.check)(&resolved.upper(info))?;
+        Ok(resolved)
+    }
+}
+
+/// Validated values and ranges.
+pub(super) struct Resolved {
+    values: Values<f32>,
+    pub varying: Vec<Range>,
+}
+
+impl Resolved {
+    /// The values in the precision of the BSDF; directions are normalised in it.
+    pub fn values_in<T: Scalar>(&self, info: &ModelInfo) -> Values<T> {
+        let mut values = Values::defaults(info);
+        for (index, param) in info.params.iter().enumerate() {
+            let numbers = self.values.rgb(index).map(|number| T::new(f64::from(number)));
+            let numbers = match param.kind {
+                ParamKind::Direction { .. } => upward(numbers).unwrap_or(numbers),
+                _ => numbers,
+            };
+            values.set_numbers(index, numbers);
+            values.set_choice(index, self.values.choice(index));
+        }
+        values
+    }
+
+    /// The greatest value that each parameter can take.
+    fn upper(&self, info: &ModelInfo) -> Values<f32> {
+        let mut upper = self.values.clone();
+        for range in &self.varying {
+            if matches!(info.params[range.param].kind, ParamKind::Number { .. }) {
+                let own = upper.rgb(range.param);
+                upper.set_numbers(range.param, own.map(|own| own.max(range.max)));
+            }
+        }
+        upper
+    }
+}
+
+fn index_of(info: &ModelInfo, name: &str) -> Result<usize, Error> {
+    info.param(name).ok_or_else(|| {
+        let kind = format!("parameter of model {}", info.name.to_string_lossy());
+        Error::unknown(&kind, name, info.params.iter().map(ParamInfo::name))
+    })
+}
+
+fn set(
+    values: &mut Values<f32>,
+    index: usize,
+    param: &ParamInfo,
+    given: &Given,
+) -> Result<(), Error> {
+    let name = param.name();
+    match (&param.kind, given) {
+        (ParamKind::Number { components, min, max, .. }, Given::Numbers(numbers)) => {
+            let numbers = spread(name, *components, numbers)?;
+            for (c, number) in numbers.into_iter().enumerate().take(*components) {
+                check_number(&component_name(name, *components, c), number, *min, *max)?;
+            }
+            values.set_numbers(index, numbers);
+        }
+        (ParamKind::Direction { min_z }, Given::Numbers(numbers)) => {
+            values.set_numbers(index, direction(name, numbers, *min_z)?);
+        }
+        (ParamKind::Choice { choices }, Given::Choice(choice)) => {
+            let names = || choices.iter().map(|choice| choice.to_str().unwrap_or_default());
+            let found = names().position(|name| name == choice);
+            let kind = format!("choice for '{name}'");
+            values.set_choice(
+                index,
+                found.ok_or_else(|| Error::unknown(&kind, choice, names()))?,
+            );
+        }
+        (ParamKind::Choice { .. }, Given::Numbers(_)) => {
+            return Err(Error::invalid(format!(
+                "parameter '{name}' takes the name of a choice, not numbers"
+            )));
+        }
+        (_, Given::Choice(_)) => {
+            return Err(Error::invalid(format!(
+                "parameter '{name}' takes numbers, not the name of a choice"
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// One number per component, or one for all of them.
+fn spread(name: &str, components: usize, numbers: &[f32]) -> Result<[f32; 3], Error> {
+    match *numbers {
+        [all] => Ok([all; 3]),
+        [x, y, z] if components == 3 => Ok([x, y, z]),
+        _ => {
+            let allowed = if components == 3 { "1 or 3" } else { "1" };
+            let count = numbers.len();
+            Err(Error::invalid(format!("parameter '{name}' takes {allowed} numbers, not {count}")))
+        }
+    }
+}
+
+fn direction(name: &str, numbers: &[f32], min_z: f32) -> Result<[f32; 3], Error> {
+    let &[x, y, z] = numbers else {
+        let count = numbers.len();
+        return Err(Error::invalid(format!("parameter '{name}' takes 3 numbers, not {count}")));
+    };
+    for (c, number) in [x, y, z].into_iter().enumerate() {
+        check_number(&component_name(name, 3, c), number, f32::MIN, f32::MAX)?;
+    }
+    match upward([f64::from(x), f64::from(y), f64::from(z)]) {
+        Some(unit) if unit[2] >= f64::from(min_z) => Ok([x, y, z]),
+        unit => {
+            let found = unit.map_or("z <= 0".to_owned(), |unit| format!("z = {}", unit[2]));
+            Err(Error::out_of_range(format!(
+                "parameter '{name}' = ({x}, {y}, {z}) has {found} after normalisation; \
+                 allowed is z in [{min_z}, 1]"
+            )))
+        }
+    }
+}
+
+fn component_name(name: &str, components: usize, c: usize) -> String {
+    if components == 1 { name.to_owned() } else { format!("{name}[{c}]") }
+}
+
+fn check_number(name: &str, number: f32, min: f32, max: f32) -> Result<(), Error> {
+    if number >= min && number <= max {
+        return Ok(());
+    }
+    Err(Error::out_of_range(format!("parameter '{name}' = {number} is outside [{min}, {max}]")))
+}
+
+/// A declared range must lie within the parameter's own.
+fn check_range(info: &ModelInfo, range: &Range) -> Result<(), Error> {
+    let param = &info.params[range.param];
+    let name = param.name();
+    if !param.can_vary {
+        let vary = info.params.iter().filter(|param| param.can_vary).map(ParamInfo::name);
+        let vary = vary.collect::<Vec<_>>().join(", ");
+        return Err(Error::unsupported(format!("parameter '{name}' cannot vary; can: {vary}")));
+    }
+    match param.kind {
+        ParamKind::Number { min, max, .. } => {
+            check_number(&format!("{name} (least varying value)"), range.min, min, max)?;
+            check_number(&format!("{name} (greatest varying value)"), range.max, min, max)?;
+            if range.min > range.max {
+                return Err(Error::out_of_range(format!(
+                    "varying parameter '{name}' has its range reversed: [{}, {}]",
+                    range.min, range.max
+                )));
+            }
+        }
+        ParamKind::Direction { .. } => {
+            if range.min != 0.0 || range.max != 0.0 {
+                return Err(Error::invalid(format!(
+                    "varying parameter '{name}' is a direction: give 0 and 0, not {} and {}",
+                    range.min, range.max
+                )));
+            }
+        }
+        ParamKind::Choice { .. } => {
+            return Err(Error::unsupported(format!("parameter '{name}' is a choice")));
+        }
+    }
+    Ok(())
+}

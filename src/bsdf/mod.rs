@@ -1,0 +1,192 @@
+//! A BSDF: a model with validated parameters, compiled, immutable, ready to be called.
+
+mod description;
+mod varying;
+
+pub use description::Description;
+
+use crate::error::Error;
+use crate::lobe::{self, Flags, Kernel, ModelInfo, Override, PerLobe, Values};
+use crate::math::{Real, Rgb, Vec3};
+use varying::Varying;
+
+/// The precisions that a BSDF exists in: `f32` with `glam::Vec3` for renderers, `f64` with
+/// `glam::DVec3` as the oracle.
+pub trait Scalar: Real<Mask = bool> + PartialOrd + Default {
+    /// The public vector type.
+    type Vector: Into<[Self; 3]> + From<[Self; 3]> + Copy;
+    #[doc(hidden)]
+    fn prepare(entry: &lobe::Entry, values: &Values<Self>) -> Box<dyn Kernel<Self>>;
+}
+
+impl Scalar for f32 {
+    type Vector = glam::Vec3;
+    fn prepare(entry: &lobe::Entry, values: &Values<f32>) -> Box<dyn Kernel<f32>> {
+        (entry.prepare_f32)(values)
+    }
+}
+
+impl Scalar for f64 {
+    type Vector = glam::DVec3;
+    fn prepare(entry: &lobe::Entry, values: &Values<f64>) -> Box<dyn Kernel<f64>> {
+        (entry.prepare_f64)(values)
+    }
+}
+
+/// A sampled direction; `pdf` 0 and `weight` 0: no valid sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<T: Scalar = f32> {
+    /// To the light, unit.
+    pub wi: T::Vector,
+    /// Density of wi over all lobes, per solid angle.
+    pub pdf: T,
+    /// value / pdf, RGB.
+    pub weight: Rgb<T>,
+    /// Index on wi's side over the index on wo's side.
+    pub eta: T,
+    /// Flags of the chosen lobe.
+    pub flags: Flags,
+    /// Number of the chosen lobe.
+    pub lobe: usize,
+}
+
+impl<T: Scalar> Sample<T> {
+    /// No valid sample.
+    fn none() -> Self {
+        let zero = T::new(0.0);
+        Self { wi: [zero; 3].into(), pdf: zero, weight: [zero; 3], eta: zero, flags: Flags(0), lobe: 0 }
+    }
+}
+
+/// A compiled BSDF. Share it between threads as you like; no call but [`Bsdf::new`] allocates.
+///
+/// `varying` holds the components of the parameters that [`Description::vary`] declared, one after
+/// another, [`Bsdf::varying_floats`] in all; with `None` they keep the values set in the description.
+/// A finite number outside its declared range is clamped to it; NaN, infinity, a wrong length or a
+/// direction with z <= 0 gives 0. So do directions that are not unit to 1e-3 and, for models without
+/// TRANSMISSION, directions with z <= 0.
+pub struct Bsdf<T: Scalar = f32> {
+    info: &'static ModelInfo,
+    kernel: Box<dyn Kernel<T>>,
+    varying: Varying<T>,
+}
+
+impl<T: Scalar> Bsdf<T> {
+    /// Validates and compiles a description.
+    ///
+    /// # Errors
+    /// `UnknownName`, `OutOfRange`, `InvalidArgument` or `Unsupported`, with a message that names
+    /// the parameter, its value and what is allowed.
+    pub fn new(description: &Description) -> Result<Self, Error> {
+        let entry = lobe::find(description.model())?;
+        let resolved = description.resolve(entry)?;
+        let values = resolved.values_in::<T>(entry.info);
+        Ok(Self {
+            info: entry.info,
+            kernel: T::prepare(entry, &values),
+            varying: Varying::new(entry.info, &values, &resolved.varying),
+        })
+    }
+
+    /// What the model says about itself.
+    pub fn info(&self) -> &'static ModelInfo {
+        self.info
+    }
+
+    /// How many parameters vary per call.
+    pub fn varying_count(&self) -> usize {
+        self.varying.count()
+    }
+
+    /// How many numbers the varying parameters have together.
+    pub fn varying_floats(&self) -> usize {
+        self.varying.floats()
+    }
+
+    /// The varying parameters' own values, in the form of a `varying` argument.
+    pub fn varying_defaults(&self) -> &[T] {
+        self.varying.defaults()
+    }
+
+    /// How many components each varying parameter has, in declared order.
+    pub fn varying_components(&self) -> impl Iterator<Item = usize> + '_ {
+        self.varying.components()
+    }
+
+    /// f(wo, wi) |wi.z|.
+    pub fn eval(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
+        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| kernel.eval(overrides, wo, wi))
+            .unwrap_or([T::new(0.0); 3])
+    }
+
+    /// [`Bsdf::eval`] and the density with which [`Bsdf::sample`] finds wi, per solid angle.
+    pub fn eval_pdf(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> (Rgb<T>, T) {
+        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| {
+            kernel.eval_pdf(overrides, wo, wi)
+        })
+        .unwrap_or(([T::new(0.0); 3], T::new(0.0)))
+    }
+
+    /// The probability of choosing each lobe, and each lobe's own density at wi.
+    pub fn lobes(
+        &self,
+        wo: T::Vector,
+        wi: T::Vector,
+        varying: Option<&[T]>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        let none = [T::new(0.0); lobe::MAX_LOBES];
+        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| kernel.lobes(overrides, wo, wi))
+            .unwrap_or((none, none))
+    }
+
+    /// A direction for three uniform numbers in [0, 1).
+    pub fn sample(&self, wo: T::Vector, u: T::Vector, varying: Option<&[T]>) -> Sample<T> {
+        let u: [T; 3] = u.into();
+        let is_uniform = |u: T| u >= T::new(0.0) && u < T::new(1.0);
+        let sampled = self.direction(wo).and_then(|wo| {
+            if !u.into_iter().all(is_uniform) {
+                return None;
+            }
+            self.varying.with(varying, |overrides| self.kernel.sample(overrides, wo, u))?
+        });
+        sampled.map_or(Sample::none(), |sampled| Sample {
+            wi: sampled.wi.to_array().into(),
+            pdf: sampled.pdf,
+            weight: sampled.weight,
+            eta: T::new(1.0),
+            flags: self.info.lobes[sampled.lobe].flags,
+            lobe: sampled.lobe,
+        })
+    }
+
+    /// Directional albedo: the part of the light from `wo` that is reflected, which by reciprocity
+    /// is also how bright the surface looks from there in a white furnace. By quadrature (about a
+    /// millisecond) unless the model has a closed form.
+    pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
+        self.direction(wo)
+            .and_then(|wo| self.varying.with(varying, |overrides| self.kernel.albedo(overrides, wo)))
+            .unwrap_or([T::new(0.0); 3])
+    }
+
+    /// Calls `f` if both directions and the varying values are valid.
+    #[inline(always)]
+    fn at_pair<R>(
+        &self,
+        wo: T::Vector,
+        wi: T::Vector,
+        varying: Option<&[T]>,
+        f: impl FnOnce(&dyn Kernel<T>, &[Override<T>], Vec3<T>, Vec3<T>) -> R,
+    ) -> Option<R> {
+        let (wo, wi) = (self.direction(wo)?, self.direction(wi)?);
+        self.varying.with(varying, |overrides| f(&*self.kernel, overrides, wo, wi))
+    }
+
+    /// The direction, if it is unit to 1e-3 and on the side where the model reflects.
+    #[inline(always)]
+    fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
+        let w = Vec3::from_array(w.into());
+        // Twice 1e-3, since the length is squared; NaN and infinity fail the comparison.
+        let is_unit = (w.length_squared() - T::new(1.0)).abs() <= T::new(2e-3);
+        (is_unit && w.z > T::new(0.0)).then_some(w)
+    }
+}

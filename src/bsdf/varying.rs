@@ -1,0 +1,114 @@
+//! Parameters given per call: from a flat list of numbers to overrides, clamped and checked.
+
+use super::Scalar;
+use crate::lobe::{ModelInfo, Override, ParamKind, Values};
+use crate::math::{Real, Vec3};
+
+/// More than any model's parameters; so that overrides fit on the stack.
+const MAX_VARYING: usize = 16;
+
+/// How to read one varying parameter.
+struct Slot<T> {
+    param: usize,
+    components: usize,
+    is_direction: bool,
+    min: T,
+    max: T,
+}
+
+/// The varying parameters of a BSDF, in declared order.
+pub(super) struct Varying<T> {
+    slots: Box<[Slot<T>]>,
+    defaults: Box<[T]>,
+}
+
+/// A declared range: parameter index, least and greatest value of each component.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Range {
+    pub param: usize,
+    pub min: f32,
+    pub max: f32,
+}
+
+impl<T: Scalar> Varying<T> {
+    pub fn new(info: &ModelInfo, values: &Values<T>, ranges: &[Range]) -> Self {
+        assert!(ranges.len() <= MAX_VARYING, "a model with more than {MAX_VARYING} parameters");
+        let slots = ranges.iter().map(|range| Slot {
+            param: range.param,
+            components: info.params[range.param].components(),
+            is_direction: matches!(info.params[range.param].kind, ParamKind::Direction { .. }),
+            min: T::new(f64::from(range.min)),
+            max: T::new(f64::from(range.max)),
+        });
+        let slots: Box<[Slot<T>]> = slots.collect();
+        let defaults = slots
+            .iter()
+            .flat_map(|slot| values.rgb(slot.param).into_iter().take(slot.components))
+            .collect();
+        Self { slots, defaults }
+    }
+
+    pub fn count(&self) -> usize {
+        self.slots.len()
+    }
+
+    pub fn floats(&self) -> usize {
+        self.defaults.len()
+    }
+
+    pub fn defaults(&self) -> &[T] {
+        &self.defaults
+    }
+
+    pub fn components(&self) -> impl Iterator<Item = usize> + '_ {
+        self.slots.iter().map(|slot| slot.components)
+    }
+
+    /// Calls `f` with the overrides that `varying` stands for; `None` if a value is unusable.
+    #[inline(always)]
+    pub fn with<R>(
+        &self,
+        varying: Option<&[T]>,
+        f: impl FnOnce(&[Override<T>]) -> R,
+    ) -> Option<R> {
+        let Some(mut rest) = varying.filter(|_| !self.slots.is_empty()) else {
+            return Some(f(&[]));
+        };
+        let unset = Override { param: 0, value: [T::new(0.0); 3] };
+        let mut overrides = [unset; MAX_VARYING];
+        for (slot, target) in self.slots.iter().zip(&mut overrides) {
+            let (numbers, after) = rest.split_at_checked(slot.components)?;
+            *target = Override { param: slot.param, value: slot.read(numbers)? };
+            rest = after;
+        }
+        rest.is_empty().then(|| f(&overrides[..self.slots.len()]))
+    }
+}
+
+impl<T: Scalar> Slot<T> {
+    /// Clamps numbers to the declared range, normalises directions; `None` where that is impossible.
+    #[inline(always)]
+    fn read(&self, numbers: &[T]) -> Option<[T; 3]> {
+        let mut value = [numbers[0]; 3];
+        value[..numbers.len()].copy_from_slice(numbers);
+        if !value.into_iter().all(Real::is_finite) {
+            return None;
+        }
+        if self.is_direction {
+            return upward(value);
+        }
+        Some(value.map(|number| Real::min(Real::max(number, self.min), self.max)))
+    }
+}
+
+/// A vector of any length with z > 0, normalised. Scaled by its largest component first, since the
+/// square of a large or a small number may leave the range of the type.
+pub(super) fn upward<T: Scalar>(value: [T; 3]) -> Option<[T; 3]> {
+    let largest = value.into_iter().fold(T::new(0.0), |largest, x| Real::max(largest, x.abs()));
+    let inverse = T::new(1.0) / largest;
+    if value[2] <= T::new(0.0) || !inverse.is_finite() {
+        return None;
+    }
+    let unit = Vec3::from_array(value).scaled(inverse).normalized();
+    (unit.z > T::new(0.0)).then(|| unit.to_array())
+}

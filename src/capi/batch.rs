@@ -1,0 +1,125 @@
+//! Batch calls.
+
+use super::args::{PellicleEvalBatchArgs, PellicleSampleBatchArgs};
+use super::boundary::{guard, read_growing, slice};
+use super::bsdf::handle;
+use super::types::{
+    PellicleBsdf, PellicleConstView, PellicleStatus, PellicleUintView, PellicleView,
+};
+use crate::batch::{self, ConstView, EvalArgs, SampleArgs, View};
+use crate::error::Error;
+use libc::size_t;
+
+/// pellicle_bsdf_eval() for every element of strided arrays, equal to it bit for bit. `value` or
+/// `pdf` may have data NULL if not wanted, not both. An output may be an input's own memory with
+/// the same strides, otherwise outputs must not overlap inputs or each other.
+///
+/// # Safety
+/// `bsdf` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, and every
+/// address that its views stand for readable or writable.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
+    bsdf: *const PellicleBsdf,
+    args: *const PellicleEvalBatchArgs,
+    args_size: size_t,
+) -> PellicleStatus {
+    guard(|| {
+        // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
+        unsafe {
+            let bsdf = handle(bsdf)?;
+            let args = read_growing(args, args_size, "args")?;
+            let mut views = [NOTHING; MAX_VIEWS];
+            let args = EvalArgs {
+                count: args.count,
+                wo: args.wo.into(),
+                wi: args.wi.into(),
+                varying: convert(args.varying, args.varying_count, &mut views)?,
+                value: args.value.into(),
+                pdf: args.pdf.into(),
+            };
+            batch::eval(bsdf, &args)
+        }
+    })
+}
+
+/// pellicle_bsdf_sample() for every element of strided arrays, equal to it bit for bit. Outputs with
+/// data NULL are not wanted; at least one must be. Overlap as in pellicle_bsdf_eval_batch().
+///
+/// # Safety
+/// As for pellicle_bsdf_eval_batch().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
+    bsdf: *const PellicleBsdf,
+    args: *const PellicleSampleBatchArgs,
+    args_size: size_t,
+) -> PellicleStatus {
+    guard(|| {
+        // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
+        unsafe {
+            let bsdf = handle(bsdf)?;
+            let args = read_growing(args, args_size, "args")?;
+            let mut views = [NOTHING; MAX_VIEWS];
+            let args = SampleArgs {
+                count: args.count,
+                wo: args.wo.into(),
+                u: args.u.into(),
+                varying: convert(args.varying, args.varying_count, &mut views)?,
+                wi: args.wi.into(),
+                pdf: args.pdf.into(),
+                weight: args.weight.into(),
+                eta: args.eta.into(),
+                flags: args.flags.into(),
+                lobe: args.lobe.into(),
+            };
+            batch::sample(bsdf, &args)
+        }
+    })
+}
+
+/// More views than any BSDF has varying parameters; so that converting needs no allocation.
+const MAX_VIEWS: usize = 16;
+
+const NOTHING: ConstView =
+    ConstView { data: std::ptr::null(), element_stride: 0, component_stride: 0 };
+
+unsafe fn convert<'a>(
+    varying: *const PellicleConstView,
+    count: usize,
+    views: &'a mut [ConstView; MAX_VIEWS],
+) -> Result<&'a [ConstView], Error> {
+    if count > MAX_VIEWS {
+        return Err(Error::invalid(format!("args->varying_count = {count} exceeds {MAX_VIEWS}")));
+    }
+    // SAFETY: the caller vouches for `count` views.
+    let given = unsafe { slice(varying, count, "args->varying")? };
+    for (view, given) in views.iter_mut().zip(given) {
+        *view = (*given).into();
+    }
+    Ok(&views[..count])
+}
+
+impl From<PellicleConstView> for ConstView {
+    fn from(view: PellicleConstView) -> Self {
+        Self {
+            data: view.data,
+            element_stride: view.element_stride,
+            component_stride: view.component_stride,
+        }
+    }
+}
+
+impl From<PellicleView> for View {
+    fn from(view: PellicleView) -> Self {
+        Self {
+            data: view.data,
+            element_stride: view.element_stride,
+            component_stride: view.component_stride,
+        }
+    }
+}
+
+impl From<PellicleUintView> for View<u32> {
+    fn from(view: PellicleUintView) -> Self {
+        Self { data: view.data, element_stride: view.element_stride, component_stride: 0 }
+    }
+}

@@ -1,0 +1,205 @@
+//! What every entry point does: stop panics, report failures, check pointers, and read and write
+//! structs that may be shorter or longer than this build's.
+
+use super::last_error;
+use super::types::{PELLICLE_INTERNAL, PELLICLE_OK, PellicleStatus};
+use crate::error::Error;
+#[cfg(test)]
+use crate::error::Status;
+use libc::c_char;
+use std::any::Any;
+use std::ffi::CStr;
+use std::mem::MaybeUninit;
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::Once;
+
+/// Runs an entry point. A failure is reported by status and message; so is a panic, which ends here.
+#[inline(always)]
+pub(super) fn guard(body: impl FnOnce() -> Result<(), Error>) -> PellicleStatus {
+    // Nothing shared is left half-changed by a panic: handles are immutable, and outputs are
+    // written after everything that can fail.
+    match panic::catch_unwind(AssertUnwindSafe(body)) {
+        Ok(Ok(())) => PELLICLE_OK,
+        Ok(Err(error)) => report(&error),
+        Err(payload) => report_panic(&*payload),
+    }
+}
+
+/// Keeps panics of this crate from printing. The standard library prints a line for every panic,
+/// which a shading library must not; the first creation installs a hook that is quiet about panics
+/// raised in this crate's sources and passes all others on, such as those of a Rust program that
+/// links the library.
+pub(super) fn quiet_panics() {
+    static QUIET: Once = Once::new();
+    QUIET.call_once(|| {
+        let sources = file!().trim_end_matches("capi/boundary.rs");
+        let previous = panic::take_hook();
+        panic::set_hook(Box::new(move |info| {
+            if !info.location().is_some_and(|place| place.file().starts_with(sources)) {
+                previous(info);
+            }
+        }));
+    });
+}
+
+#[cold]
+fn report(error: &Error) -> PellicleStatus {
+    last_error::set(&error.message);
+    error.status as PellicleStatus
+}
+
+#[cold]
+fn report_panic(payload: &(dyn Any + Send)) -> PellicleStatus {
+    let text = payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
+        .unwrap_or("panic");
+    last_error::set(&format!("internal error, please report it: {text}"));
+    PELLICLE_INTERNAL
+}
+
+/// The object behind a pointer to read.
+#[inline(always)]
+pub(super) unsafe fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Error> {
+    // SAFETY: not NULL; the caller vouches for the rest, as C callers must.
+    unsafe { pointer.as_ref() }.ok_or_else(|| null(name))
+}
+
+/// N numbers behind a pointer to read.
+#[inline(always)]
+pub(super) unsafe fn numbers<const N: usize>(
+    pointer: *const f32,
+    name: &'static str,
+) -> Result<[f32; N], Error> {
+    if pointer.is_null() {
+        return Err(null(name));
+    }
+    // SAFETY: not NULL, and the caller vouches for N numbers.
+    Ok(unsafe { pointer.cast::<[f32; N]>().read_unaligned() })
+}
+
+/// Refuses NULL for an output.
+#[inline(always)]
+pub(super) fn require<T>(pointer: *const T, name: &'static str) -> Result<(), Error> {
+    if pointer.is_null() { Err(null(name)) } else { Ok(()) }
+}
+
+#[cold]
+fn null(name: &'static str) -> Error {
+    Error::invalid(format!("{name} is NULL"))
+}
+
+/// A slice given by pointer and count; NULL is allowed for a count of 0.
+pub(super) unsafe fn slice<'a, T>(
+    pointer: *const T,
+    count: usize,
+    name: &'static str,
+) -> Result<&'a [T], Error> {
+    if count == 0 {
+        return Ok(&[]);
+    }
+    if pointer.is_null() {
+        return Err(Error::invalid(format!("{name} is NULL but its count is {count}")));
+    }
+    if count > isize::MAX as usize / size_of::<T>().max(1) {
+        return Err(Error::invalid(format!("{name} has an impossible count: {count}")));
+    }
+    // SAFETY: not NULL, no overflow; the caller vouches for `count` elements.
+    Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
+}
+
+/// A NUL-terminated string that must be UTF-8.
+pub(super) unsafe fn string(pointer: *const c_char, name: &str) -> Result<String, Error> {
+    if pointer.is_null() {
+        return Err(Error::invalid(format!("{name} is NULL")));
+    }
+    // SAFETY: not NULL; the caller vouches for the terminator.
+    let text = unsafe { CStr::from_ptr(pointer) };
+    let text = text.to_str();
+    text.map(str::to_owned).map_err(|_| Error::invalid(format!("{name} is not valid UTF-8")))
+}
+
+/// Reads a struct that grows: a shorter one is filled up with zeros, the tail of a longer one must
+/// be zero.
+///
+/// # Safety
+/// Zero must be a valid value of every field of T, and `pointer` be NULL or good for `size` bytes.
+pub(super) unsafe fn read_growing<T: Copy>(
+    pointer: *const T,
+    size: usize,
+    name: &'static str,
+) -> Result<T, Error> {
+    require(pointer, name)?;
+    check_size(size, name)?;
+    let known = size.min(size_of::<T>());
+    let mut value = MaybeUninit::<T>::zeroed();
+    // SAFETY: `known` bytes are readable and fit into T; zero is valid for what is left.
+    let value = unsafe {
+        value.as_mut_ptr().cast::<u8>().copy_from_nonoverlapping(pointer.cast(), known);
+        value.assume_init()
+    };
+    for offset in known..size {
+        // SAFETY: the caller vouches for `size` bytes.
+        if unsafe { pointer.cast::<u8>().add(offset).read() } != 0 {
+            return Err(Error::unsupported(format!(
+                "{name} of {size} bytes uses fields beyond the {} that this version ({}) knows",
+                size_of::<T>(),
+                env!("CARGO_PKG_VERSION")
+            )));
+        }
+    }
+    Ok(value)
+}
+
+/// Writes a struct that grows, up to the size that the caller knows.
+///
+/// # Safety
+/// `pointer` must be good for `size` bytes; both were checked by [`check_output`].
+#[inline(always)]
+pub(super) unsafe fn write_growing<T: Copy>(pointer: *mut T, size: usize, value: &T) {
+    let known = size.min(size_of::<T>());
+    // SAFETY: `known` bytes are readable in `value` and, as the caller vouches, writable there.
+    unsafe {
+        pointer.cast::<u8>().copy_from_nonoverlapping(std::ptr::from_ref(value).cast(), known);
+    }
+}
+
+/// Refuses NULL and impossible sizes for an output that grows.
+#[inline(always)]
+pub(super) fn check_output<T>(pointer: *mut T, size: usize, name: &'static str) -> Result<(), Error> {
+    require(pointer, name)?;
+    check_size(size, name)
+}
+
+/// A struct of no bytes, or of far too many, is a mistake (an uninitialised size, a swapped argument).
+#[inline(always)]
+fn check_size(size: usize, name: &'static str) -> Result<(), Error> {
+    const GREATEST: usize = 1 << 16;
+    if size == 0 || size > GREATEST {
+        return Err(wrong_size(size, name));
+    }
+    Ok(())
+}
+
+#[cold]
+fn wrong_size(size: usize, name: &'static str) -> Error {
+    Error::invalid(format!("{name} has a size of {size} bytes: pass its sizeof"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::pellicle_last_error;
+
+    /// Guards the boundary: a panic inside must come out as a status, with its text as the message.
+    #[test]
+    fn a_panic_becomes_internal() {
+        quiet_panics();
+        let status = guard(|| panic!("deliberate {}", 42));
+        assert_eq!(status, Status::Internal as PellicleStatus);
+        // SAFETY: the message is NUL-terminated and lives until this thread's next failure.
+        let message = unsafe { CStr::from_ptr(pellicle_last_error()) };
+        assert!(message.to_string_lossy().contains("deliberate 42"), "{message:?}");
+    }
+}

@@ -1,0 +1,23 @@
+//! The C interface: validation, conversion, the panic guard, and nothing else.
+//!
+//! The documentation of every function is written for the C header, which is generated from here.
+
+#![allow(unsafe_code)]
+
+mod api;
+mod args;
+mod batch;
+mod bsdf;
+mod boundary;
+mod last_error;
+mod model;
+mod types;
+mod version;
+
+pub use api::*;
+pub use args::*;
+pub use batch::*;
+pub use bsdf::*;
+pub use model::*;
+pub use types::*;
+pub use version::*;

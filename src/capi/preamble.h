@@ -1,0 +1,35 @@
+/* pellicle @VERSION@: layered and thin-film reflectance and the classic shading models, as
+ * eval / sample / pdf, for renderers. MIT OR Apache-2.0.
+ *
+ * Generated from the Rust sources by cbindgen; do not edit.
+ *
+ * CONVENTIONS
+ *
+ * Frame. Directions are unit, point away from the surface and live in the local shading frame: +Z
+ * is the shading normal, +X the tangent. wo goes to the viewer, wi to the light.
+ *
+ * Quantities. value = f(wo, wi) |wi.z|, RGB. pdf is per solid angle of wi. weight = value / pdf.
+ * Lengths are nanometres. RGB is linear Rec.709. Three index values belong to 645, 525 and 445 nm.
+ *
+ * Sides. Without the flag TRANSMISSION, wi.z <= 0 or wo.z <= 0 gives 0: one-sided, the caller flips.
+ * Dirac lobes give value = pdf = 0; only sample() returns them, with weight and pdf = 0.
+ *
+ * Data never fails. Finite inputs give finite, non-negative outputs. Directions within 1e-3 of unit
+ * length are accepted as they are; any other direction, NaN and infinity give 0 for that element and
+ * leave its neighbours alone. A varying parameter's finite value outside its declared range is
+ * clamped to it (the only clamp there is); NaN or infinity there gives 0 for that element.
+ *
+ * Pointers and counts can fail. Every function checks every pointer for NULL. On failure a status
+ * other than PELLICLE_OK is returned, outputs are untouched, and pellicle_last_error() says which
+ * argument was wrong, its value, and what is allowed.
+ *
+ * Threads. Every function may be called from any thread. Handles are immutable and
+ * reference-counted: share them freely. Nothing starts threads, locks, logs, calls back or changes
+ * the floating-point state; results are right under flush-to-zero and denormals-are-zero.
+ * Floating-point exception flags may be raised: do not unmask traps. Only create() allocates.
+ *
+ * Growth. Structs that are passed together with their own size grow by appending, and zero means
+ * default: zero-initialise them and pass sizeof. A shorter struct of an older caller is accepted; a
+ * longer one is accepted if what this build does not know is zero, else UNSUPPORTED. Outputs are
+ * written up to the smaller size.
+ */

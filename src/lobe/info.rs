@@ -1,0 +1,140 @@
+//! What a model says about itself: name, parameters, lobes, and which laws it breaks and why.
+//!
+//! Texts are C strings because the C interface hands them out as they are.
+
+use std::ffi::CStr;
+
+/// A set of the `PELLICLE_REFLECTION`, ... bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Flags(pub u32);
+
+impl Flags {
+    /// Light leaves on the side of the viewer.
+    pub const REFLECTION: Self = Self(1);
+    /// Light leaves on the other side.
+    pub const TRANSMISSION: Self = Self(2);
+    /// A broad lobe.
+    pub const DIFFUSE: Self = Self(4);
+    /// A lobe around a preferred direction.
+    pub const GLOSSY: Self = Self(8);
+    /// A perfectly specular lobe.
+    pub const DELTA: Self = Self(16);
+
+    /// Both sets together.
+    pub const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Whether every bit of `other` is set.
+    pub const fn contains(self, other: Self) -> bool {
+        self.0 & other.0 == other.0
+    }
+}
+
+/// A model: everything that introspection, validation, tests and documentation need to know.
+#[derive(Debug)]
+pub struct ModelInfo {
+    /// The name to create it by.
+    pub name: &'static CStr,
+    /// One sentence.
+    pub summary: &'static CStr,
+    /// Where the model comes from.
+    pub source: &'static CStr,
+    /// The parameters, in the order of their indices.
+    pub params: &'static [ParamInfo],
+    /// The lobes that sampling chooses from, in the order of their numbers.
+    pub lobes: &'static [LobeInfo],
+    /// When and why value(wo, wi) wo.z differs from value(wi, wo) wi.z.
+    pub not_reciprocal: Option<Exception>,
+    /// When and why the directional albedo exceeds 1.
+    pub not_conserving: Option<Exception>,
+}
+
+impl ModelInfo {
+    /// The flags of all lobes together.
+    pub fn flags(&self) -> Flags {
+        self.lobes.iter().fold(Flags(0), |flags, lobe| flags.with(lobe.flags))
+    }
+
+    /// The index of a parameter.
+    pub fn param(&self, name: &str) -> Option<usize> {
+        self.params.iter().position(|param| param.name.to_bytes() == name.as_bytes())
+    }
+}
+
+/// A law that a model breaks for one choice of one of its parameters.
+#[derive(Debug)]
+pub struct Exception {
+    /// Index of the parameter, a choice.
+    pub param: usize,
+    /// Index of the choice under which the law is broken.
+    pub choice: usize,
+    /// The reason, naming the choice.
+    pub reason: &'static CStr,
+}
+
+/// A lobe that sampling may choose.
+#[derive(Debug)]
+pub struct LobeInfo {
+    /// Its name in documentation and tests.
+    pub name: &'static CStr,
+    /// Side and breadth.
+    pub flags: Flags,
+}
+
+/// A parameter.
+#[derive(Debug)]
+pub struct ParamInfo {
+    /// The name it is set by.
+    pub name: &'static CStr,
+    /// "nm", or "" for a pure number.
+    pub unit: &'static CStr,
+    /// One sentence.
+    pub summary: &'static CStr,
+    /// What it holds.
+    pub kind: ParamKind,
+    /// Whether it may be given per call.
+    pub can_vary: bool,
+}
+
+impl ParamInfo {
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        self.name.to_str().unwrap_or_default()
+    }
+
+    /// How many numbers it has; 0 for a choice.
+    pub fn components(&self) -> usize {
+        match self.kind {
+            ParamKind::Number { components, .. } => components,
+            ParamKind::Direction { .. } => 3,
+            ParamKind::Choice { .. } => 0,
+        }
+    }
+}
+
+/// What a parameter holds, what is allowed, and its default.
+#[derive(Debug)]
+pub enum ParamKind {
+    /// Numbers, each within [min, max].
+    Number {
+        /// 1 or 3.
+        components: usize,
+        /// Least value of each component.
+        min: f32,
+        /// Greatest value of each component.
+        max: f32,
+        /// Default of each component.
+        default: f32,
+    },
+    /// A direction in the shading frame, of any length but 0; +Z by default.
+    Direction {
+        /// Least z after normalisation.
+        min_z: f32,
+    },
+    /// One name out of a list; the first by default.
+    Choice {
+        /// The names.
+        choices: &'static [&'static CStr],
+    },
+}

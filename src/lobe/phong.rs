@@ -1,0 +1,155 @@
+//! # `phong`: a diffuse part and a normalised highlight about the mirror direction
+//!
+//! f = diffuse / pi + specular (e + 2) / (2 pi) max(0, <mirror of wo, wi>)^e
+//!
+//! Phong 1975 in the reciprocal, energy-conserving form of Lafortune and Willems 1994 ("Using the
+//! modified Phong reflectance model for physically based rendering", eq. 5 and 6): the highlight is
+//! not divided by the cosine, and its albedo is `specular` at normal incidence and less elsewhere.
+//! diffuse + specular must not exceed 1 in any channel. Use it for plastics and as a baseline; it
+//! darkens towards grazing angles, where real surfaces brighten.
+
+use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::power_lobe::{estimated_integral, mean, power_of_cosine, sample_about};
+use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
+use super::values::Values;
+use crate::error::Error;
+use crate::math::{PI, Real, Rgb, Vec3, warp};
+
+/// The model; see the module's documentation.
+pub struct Phong;
+
+const DIFFUSE: usize = 0;
+const SPECULAR: usize = 1;
+const EXPONENT: usize = 2;
+
+const DIFFUSE_LOBE: usize = 0;
+const SPECULAR_LOBE: usize = 1;
+
+impl Model for Phong {
+    const INFO: ModelInfo = ModelInfo {
+        name: c"phong",
+        summary: c"A diffuse part and a normalised highlight about the mirror direction.",
+        source: c"Phong 1975, normalised by Lafortune and Willems 1994, eq. 5 and 6",
+        params: &[
+            ParamInfo {
+                name: c"diffuse",
+                unit: c"",
+                summary: c"Albedo of the diffuse part, RGB; diffuse + specular <= 1.",
+                kind: ParamKind::Number { components: 3, min: 0.0, max: 1.0, default: 0.5 },
+                can_vary: true,
+            },
+            ParamInfo {
+                name: c"specular",
+                unit: c"",
+                summary: c"Albedo of the highlight at normal incidence, RGB.",
+                kind: ParamKind::Number { components: 3, min: 0.0, max: 1.0, default: 0.25 },
+                can_vary: true,
+            },
+            ParamInfo {
+                name: c"exponent",
+                unit: c"",
+                summary: c"Sharpness of the highlight.",
+                kind: ParamKind::Number { components: 1, min: 0.0, max: 1e5, default: 50.0 },
+                can_vary: true,
+            },
+        ],
+        lobes: &[
+            LobeInfo { name: c"diffuse", flags: Flags::REFLECTION.with(Flags::DIFFUSE) },
+            LobeInfo { name: c"specular", flags: Flags::REFLECTION.with(Flags::GLOSSY) },
+        ],
+        not_reciprocal: None,
+        not_conserving: None,
+    };
+
+    type Prepared<T: Real> = Prepared<T>;
+
+    fn check(upper: &Values<f32>) -> Result<(), Error> {
+        let (diffuse, specular) = (upper.rgb(DIFFUSE), upper.rgb(SPECULAR));
+        for channel in 0..3 {
+            let sum = diffuse[channel] + specular[channel];
+            if sum > 1.0 {
+                return Err(Error::out_of_range(format!(
+                    "diffuse[{channel}] + specular[{channel}] = {} + {} = {sum} exceeds 1",
+                    diffuse[channel], specular[channel]
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    fn prepare<T: Real>(values: &Values<T>) -> Prepared<T> {
+        Prepared {
+            diffuse: values.rgb(DIFFUSE),
+            specular: values.rgb(SPECULAR),
+            exponent: values.number(EXPONENT),
+        }
+    }
+}
+
+/// The compiled model.
+#[derive(Clone, Copy)]
+pub struct Prepared<T> {
+    diffuse: Rgb<T>,
+    specular: Rgb<T>,
+    exponent: T,
+}
+
+impl<T: Real> Prepared<T> {
+    /// Value, and cos^e for the density.
+    #[inline(always)]
+    fn value_and_power(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
+        let power = power_of_cosine(wo.mirrored(), wi, self.exponent);
+        let normalization = (self.exponent + T::new(2.0)) * T::new(0.5 / PI);
+        let highlight = normalization * power;
+        let value = std::array::from_fn(|channel| {
+            let diffuse = self.diffuse[channel] * T::new(1.0 / PI);
+            (diffuse + self.specular[channel] * highlight) * wi.z
+        });
+        (value, power)
+    }
+}
+
+impl<T: Real> Scattering<T> for Prepared<T> {
+    #[inline(always)]
+    fn vary(&mut self, param: usize, value: [T; 3]) {
+        match param {
+            DIFFUSE => self.diffuse = value,
+            SPECULAR => self.specular = value,
+            _ => self.exponent = value[0],
+        }
+    }
+
+    #[inline(always)]
+    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        self.value_and_power(wo, wi).0
+    }
+
+    #[inline(always)]
+    fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
+        let (value, power) = self.value_and_power(wo, wi);
+        let mut densities = [T::new(0.0); MAX_LOBES];
+        densities[DIFFUSE_LOBE] = warp::cosine_hemisphere_pdf(wi.z);
+        densities[SPECULAR_LOBE] = power * warp::power_cosine_normalization(self.exponent);
+        (value, densities)
+    }
+
+    #[inline(always)]
+    fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+        let normalization = (self.exponent + T::new(2.0)) * T::new(0.5 / PI);
+        let specular =
+            mean(self.specular) * normalization * estimated_integral(self.exponent, wo.z);
+        let mut shares = [T::new(0.0); MAX_LOBES];
+        shares[DIFFUSE_LOBE] = mean(self.diffuse);
+        shares[SPECULAR_LOBE] = specular;
+        super::scattering::normalized(shares)
+    }
+
+    #[inline(always)]
+    fn sample(&self, lobe: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
+        if lobe == DIFFUSE_LOBE {
+            warp::cosine_hemisphere(u[0], u[1])
+        } else {
+            sample_about(wo.mirrored(), self.exponent, u)
+        }
+    }
+}

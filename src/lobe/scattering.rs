@@ -1,0 +1,68 @@
+//! The two traits that a model implements.
+
+use super::info::ModelInfo;
+use super::quadrature;
+use super::values::Values;
+use crate::error::Error;
+use crate::math::{Real, Rgb, Vec3};
+
+/// The most lobes a model may have.
+pub const MAX_LOBES: usize = 5;
+
+/// One number per lobe; those beyond the model's own lobes are 0.
+pub type PerLobe<T> = [T; MAX_LOBES];
+
+/// A model as the registry knows it: its description, and how to compile it.
+pub trait Model: 'static {
+    /// Name, parameters, lobes, broken laws.
+    const INFO: ModelInfo;
+
+    /// The compiled form: what evaluation needs and nothing else.
+    type Prepared<T: Real>: Scattering<T>;
+
+    /// Refuses combinations of values that are each within their own range. `upper` holds the
+    /// greatest value that each parameter can take: its value, or the upper end of its varying range.
+    fn check(_upper: &Values<f32>) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// Compiles validated values.
+    fn prepare<T: Real>(values: &Values<T>) -> Self::Prepared<T>;
+}
+
+/// A compiled model.
+///
+/// For a model without TRANSMISSION every direction passed in is valid and has z > 0; the caller has
+/// seen to it. Directions returned may have z <= 0 or be null: then there is no sample.
+pub trait Scattering<T: Real>: Copy + Send + Sync + 'static {
+    /// Replaces the value of a parameter that varies per call. A scalar is in all three places; a
+    /// direction is unit.
+    fn vary(&mut self, param: usize, value: [T; 3]);
+
+    /// f(wo, wi) |wi.z|.
+    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T>;
+
+    /// [`Scattering::eval`] together with the density of each lobe at wi, per solid angle.
+    fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>);
+
+    /// The probability of each lobe, in proportion to its estimated share of the reflected light.
+    /// They sum to 1, or are all 0 where nothing is reflected.
+    fn selection(&self, wo: Vec3<T>) -> PerLobe<T>;
+
+    /// A direction distributed as the density of `lobe`, from two uniform numbers in [0, 1).
+    fn sample(&self, lobe: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T>;
+
+    /// Directional albedo: the integral of [`Scattering::eval`] over wi.
+    fn albedo(&self, wo: Vec3<T>) -> Rgb<T> {
+        quadrature::albedo(self, wo)
+    }
+}
+
+/// Shares of the reflected light as probabilities: divided by their sum, or all 0 with it.
+#[inline(always)]
+pub(super) fn normalized<T: Real>(shares: PerLobe<T>) -> PerLobe<T> {
+    let zero = T::new(0.0);
+    let sum = shares.into_iter().fold(zero, |sum, share| sum + share);
+    let inverse = T::select(sum.gt(zero), T::new(1.0) / sum, zero);
+    shares.map(|share| share * inverse)
+}

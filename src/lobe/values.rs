@@ -1,0 +1,48 @@
+//! The validated values of a model's parameters.
+
+use super::info::{ModelInfo, ParamKind};
+use crate::math::{Real, Rgb, Vec3};
+
+/// One entry per parameter of a model, in the order of [`ModelInfo::params`].
+#[derive(Clone, Debug)]
+pub struct Values<T> {
+    numbers: Vec<[T; 3]>,
+    choices: Vec<usize>,
+}
+
+impl<T: Real> Values<T> {
+    /// Every parameter at its default.
+    pub fn defaults(info: &ModelInfo) -> Self {
+        let numbers = info.params.iter().map(|param| match param.kind {
+            ParamKind::Number { default, .. } => [T::new(f64::from(default)); 3],
+            ParamKind::Direction { .. } => Vec3::new(T::new(0.0), T::new(0.0), T::new(1.0)).to_array(),
+            ParamKind::Choice { .. } => [T::new(0.0); 3],
+        });
+        Self { numbers: numbers.collect(), choices: vec![0; info.params.len()] }
+    }
+
+    /// Sets the numbers of a parameter; a scalar is in all three places.
+    pub fn set_numbers(&mut self, param: usize, numbers: [T; 3]) {
+        self.numbers[param] = numbers;
+    }
+
+    /// Sets the choice of a parameter.
+    pub fn set_choice(&mut self, param: usize, choice: usize) {
+        self.choices[param] = choice;
+    }
+
+    /// A parameter with one component.
+    pub fn number(&self, param: usize) -> T {
+        self.numbers[param][0]
+    }
+
+    /// A parameter with one component per colour channel.
+    pub fn rgb(&self, param: usize) -> Rgb<T> {
+        self.numbers[param]
+    }
+
+    /// The index of the choice made for a parameter.
+    pub fn choice(&self, param: usize) -> usize {
+        self.choices[param]
+    }
+}

@@ -1,0 +1,13 @@
+//! The arithmetic that every formula is written in: the trait [`Real`], its elementary functions,
+//! three-vectors and warps of the unit square. Nothing here knows about optics.
+
+mod elementary;
+mod real;
+mod vector;
+pub mod warp;
+
+pub use real::{Mask, Real};
+pub use vector::{Rgb, Vec3};
+
+/// The ratio of a circle's circumference to its diameter, as the formulas use it.
+pub(crate) const PI: f64 = std::f64::consts::PI;

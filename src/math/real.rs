@@ -1,0 +1,227 @@
+//! `Real`: the number type that formulas are generic over.
+//!
+//! `f32` serves the calls of a renderer and `f64` is the oracle that tests compare with. The trait
+//! speaks in masks and selections, never in branches, so that a vector of lanes can implement it
+//! and every formula written once serves whole batches too.
+
+use super::elementary;
+use std::fmt::Debug;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// The result of a comparison: one truth value per lane.
+pub trait Mask:
+    Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> + 'static
+{
+    /// Whether any lane is set: to leave out work that no lane needs, never to choose a formula.
+    fn any(self) -> bool;
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+}
+
+/// A real number, or several side by side.
+///
+/// Elementary functions are accurate to a few units in the last place of the type; each states its
+/// domain. Arguments outside it give unspecified finite or non-finite values, never a panic.
+pub trait Real:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+{
+    /// One truth value per lane.
+    type Mask: Mask;
+
+    /// The same constant in every lane, rounded once from double precision.
+    fn new(value: f64) -> Self;
+
+    /// Square root; the argument must not be negative.
+    fn sqrt(self) -> Self;
+    /// Magnitude.
+    fn abs(self) -> Self;
+    /// The lesser of two; the second if either is NaN.
+    fn min(self, other: Self) -> Self;
+    /// The greater of two; the second if either is NaN.
+    fn max(self, other: Self) -> Self;
+    /// The nearest whole number.
+    fn round(self) -> Self;
+    /// Whether each lane is neither NaN nor infinite.
+    fn is_finite(self) -> Self::Mask;
+
+    /// `self < other`
+    fn lt(self, other: Self) -> Self::Mask;
+    /// `self <= other`
+    fn le(self, other: Self) -> Self::Mask;
+    /// `self == other`
+    fn equals(self, other: Self) -> Self::Mask;
+    /// `self > other`
+    #[inline(always)]
+    fn gt(self, other: Self) -> Self::Mask {
+        other.lt(self)
+    }
+    /// `self >= other`
+    #[inline(always)]
+    fn ge(self, other: Self) -> Self::Mask {
+        other.le(self)
+    }
+    /// Per lane: `yes` where the mask is set, `no` elsewhere. Both are already computed.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// e^x for x <= 88; 0 below the least normal number's logarithm.
+    fn exp(self) -> Self;
+    /// e^x - 1 for x <= 88, keeping its digits near 0.
+    fn exp_m1(self) -> Self;
+    /// Natural logarithm of a normal number; -infinity at 0.
+    fn ln(self) -> Self;
+    /// ln(1 + x) for x >= -1, keeping its digits near 0.
+    fn ln_1p(self) -> Self;
+    /// cos(2 pi x) and sin(2 pi x). The argument counts turns, so that its whole part can be taken
+    /// off exactly: a phase of thousands of turns keeps all the digits that it arrived with.
+    fn cos_turns(self) -> Self;
+    /// sin(2 pi x), as [`Real::cos_turns`].
+    fn sin_turns(self) -> Self;
+
+    /// x^2
+    #[inline(always)]
+    fn squared(self) -> Self {
+        self * self
+    }
+    /// x^5, the power of Schlick's approximation.
+    #[inline(always)]
+    fn pow5(self) -> Self {
+        self.squared().squared() * self
+    }
+    /// sqrt(max(0, x)): for squares that rounding may push below 0.
+    #[inline(always)]
+    fn sqrt_positive(self) -> Self {
+        self.max(Self::new(0.0)).sqrt()
+    }
+}
+
+/// What the two scalar instances share word for word.
+macro_rules! scalar_operations {
+    ($t:ty) => {
+        type Mask = bool;
+        #[inline(always)]
+        fn new(value: f64) -> Self {
+            value as $t
+        }
+        #[inline(always)]
+        fn sqrt(self) -> Self {
+            <$t>::sqrt(self)
+        }
+        #[inline(always)]
+        fn abs(self) -> Self {
+            <$t>::abs(self)
+        }
+        #[inline(always)]
+        fn min(self, other: Self) -> Self {
+            if self < other { self } else { other }
+        }
+        #[inline(always)]
+        fn max(self, other: Self) -> Self {
+            if self > other { self } else { other }
+        }
+        #[inline(always)]
+        fn is_finite(self) -> bool {
+            <$t>::is_finite(self)
+        }
+        #[inline(always)]
+        fn lt(self, other: Self) -> bool {
+            self < other
+        }
+        #[inline(always)]
+        fn le(self, other: Self) -> bool {
+            self <= other
+        }
+        #[inline(always)]
+        fn equals(self, other: Self) -> bool {
+            self == other
+        }
+        #[inline(always)]
+        fn select(mask: bool, yes: Self, no: Self) -> Self {
+            if mask { yes } else { no }
+        }
+    };
+}
+
+impl Real for f32 {
+    scalar_operations!(f32);
+
+    #[inline(always)]
+    fn round(self) -> Self {
+        // Adding and taking away 1.5 * 2^23 rounds to the nearest whole number without a call to
+        // the C library, which the SSE2 baseline would otherwise need. Beyond 2^22 the sum loses
+        // the unit, but there half of all floats are whole anyway and the magnitude guard keeps them.
+        const SHIFT: f32 = 12_582_912.0;
+        let rounded = (self + SHIFT) - SHIFT;
+        if self.abs() < 4_194_304.0 { rounded } else { self }
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        elementary::exp(self)
+    }
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        elementary::exp_m1(self)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        elementary::ln(self)
+    }
+    #[inline(always)]
+    fn ln_1p(self) -> Self {
+        elementary::ln_1p(self)
+    }
+    #[inline(always)]
+    fn cos_turns(self) -> Self {
+        elementary::cos_turns(self)
+    }
+    #[inline(always)]
+    fn sin_turns(self) -> Self {
+        elementary::sin_turns(self)
+    }
+}
+
+impl Real for f64 {
+    scalar_operations!(f64);
+
+    #[inline(always)]
+    fn round(self) -> Self {
+        self.round_ties_even()
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        f64::exp(self)
+    }
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        f64::exp_m1(self)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        f64::ln(self)
+    }
+    #[inline(always)]
+    fn ln_1p(self) -> Self {
+        f64::ln_1p(self)
+    }
+    #[inline(always)]
+    fn cos_turns(self) -> Self {
+        ((self - self.round_ties_even()) * (2.0 * super::PI)).cos()
+    }
+    #[inline(always)]
+    fn sin_turns(self) -> Self {
+        ((self - self.round_ties_even()) * (2.0 * super::PI)).sin()
+    }
+}

@@ -1,0 +1,56 @@
+//! Snell's law at the plane z = 0.
+
+use crate::math::{Real, Vec3};
+
+/// The interface between an outer medium (z > 0) and an inner one, both transparent.
+#[derive(Clone, Copy, Debug)]
+pub struct Interface<T> {
+    /// Outer index over inner index, r0 / r1.
+    ratio: T,
+    /// 1 - ratio^2: negative where total reflection is possible from outside.
+    complement: T,
+}
+
+impl<T: Real> Interface<T> {
+    /// Between two indices > 0. The complement is formed from their difference, so that it keeps
+    /// its digits when they are nearly equal.
+    #[inline(always)]
+    pub fn new(eta_outside: T, eta_inside: T) -> Self {
+        let ratio = eta_outside / eta_inside;
+        let complement =
+            (eta_inside - eta_outside) * (eta_inside + eta_outside) / eta_inside.squared();
+        Self { ratio, complement }
+    }
+
+    /// Ratio of solid angles, cos_o dw_o = (r1 / r0)^2 cos_i dw_i: this is (r0 / r1)^2.
+    #[inline(always)]
+    pub fn ratio_squared(&self) -> T {
+        self.ratio.squared()
+    }
+
+    /// Squared cosine of the critical angle inside, 0 if every inner direction can leave.
+    #[inline(always)]
+    pub fn critical_cosine_squared(&self) -> T {
+        self.complement.max(T::new(0.0))
+    }
+
+    /// The inner direction of the ray whose outer part is `w` (unit, z > 0), both pointing to
+    /// z > 0. Its z is 0 where `w` is totally reflected.
+    ///
+    /// cos_t^2 = (1 - ratio^2) + ratio^2 cos^2 has no cancellation for ratio <= 1 and takes the
+    /// cosine itself, not the length of the tangential part, which vanishes in rounding at grazing.
+    #[inline(always)]
+    pub fn inside(&self, w: Vec3<T>) -> Vec3<T> {
+        let cos_squared = self.complement + self.ratio.squared() * w.z.squared();
+        Vec3::new(self.ratio * w.x, self.ratio * w.y, cos_squared.sqrt_positive())
+    }
+
+    /// The outer direction of the ray whose inner part is `a` (unit, z > 0), both pointing to
+    /// z > 0. Its z is 0 where `a` is totally reflected.
+    #[inline(always)]
+    pub fn outside(&self, a: Vec3<T>) -> Vec3<T> {
+        let inverse = T::new(1.0) / self.ratio;
+        let cos_squared = a.z.squared() - self.complement;
+        Vec3::new(a.x * inverse, a.y * inverse, cos_squared.sqrt_positive() * inverse)
+    }
+}
