@@ -86,7 +86,9 @@ pub struct SampleArgs<'a> {
 pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs) -> Result<(), Error> {
     let count = args.count;
     if args.value.data.is_null() && args.pdf.data.is_null() {
-        return Err(Error::invalid("value and pdf are both NULL: nothing to compute"));
+        return Err(Error::invalid(
+            "value and pdf are both NULL: nothing to compute",
+        ));
     }
     args.wo.check("wo", 3, count)?;
     args.wi.check("wi", 3, count)?;
@@ -95,8 +97,8 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs) -> Result<(), Error> {
     let varying = VaryingViews::new(bsdf, args.varying, count)?;
     // SAFETY: the caller vouches for every address of every view.
     unsafe {
+        let mut numbers = [0.0; MAX_FLOATS];
         for i in 0..count {
-            let mut numbers = [0.0; MAX_FLOATS];
             let varying = varying.load(i, &mut numbers);
             let (wo, wi) = (args.wo.load(i).into(), args.wi.load(i).into());
             if args.pdf.data.is_null() {
@@ -122,7 +124,9 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs) -> Result<(), Error> {
     let count = args.count;
     let floats = [args.wi, args.pdf, args.weight, args.eta];
     let wanted = floats.iter().any(|view| !view.data.is_null())
-        || [args.flags, args.lobe].iter().any(|view| !view.data.is_null());
+        || [args.flags, args.lobe]
+            .iter()
+            .any(|view| !view.data.is_null());
     if !wanted {
         return Err(Error::invalid("every output is NULL: nothing to compute"));
     }
@@ -137,8 +141,8 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs) -> Result<(), Error> {
     let varying = VaryingViews::new(bsdf, args.varying, count)?;
     // SAFETY: the caller vouches for every address of every view.
     unsafe {
+        let mut numbers = [0.0; MAX_FLOATS];
         for i in 0..count {
-            let mut numbers = [0.0; MAX_FLOATS];
             let varying = varying.load(i, &mut numbers);
             let sample = bsdf.sample(args.wo.load(i).into(), args.u.load(i).into(), varying);
             args.wi.store(i, sample.wi.to_array());
@@ -178,7 +182,13 @@ impl ConstView {
         if self.data.is_null() && count > 0 {
             return Err(Error::invalid(format!("{name}.data is NULL")));
         }
-        check_reach(name, components, count, self.element_stride, self.component_stride)
+        check_reach(
+            name,
+            components,
+            count,
+            self.element_stride,
+            self.component_stride,
+        )
     }
 
     unsafe fn at(&self, i: usize, c: usize) -> f32 {
@@ -195,7 +205,13 @@ impl ConstView {
 
 impl<T: Copy> View<T> {
     fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
-        check_reach(name, components, count, self.element_stride, self.component_stride)
+        check_reach(
+            name,
+            components,
+            count,
+            self.element_stride,
+            self.component_stride,
+        )
     }
 
     unsafe fn store<const N: usize>(&self, i: usize, values: [T; N]) {
@@ -226,7 +242,13 @@ impl<'a> VaryingViews<'a> {
             )));
         }
         for (view, components) in views.iter().zip(bsdf.varying_components()) {
-            check_reach("varying", components, count, view.element_stride, view.component_stride)?;
+            check_reach(
+                "varying",
+                components,
+                count,
+                view.element_stride,
+                view.component_stride,
+            )?;
         }
         Ok(Self { bsdf, views })
     }

@@ -32,7 +32,10 @@ pub struct Error {
 
 impl Error {
     pub(crate) fn new(status: Status, message: impl Into<Cow<'static, str>>) -> Self {
-        Self { status, message: message.into() }
+        Self {
+            status,
+            message: message.into(),
+        }
     }
 
     pub(crate) fn invalid(message: impl Into<Cow<'static, str>>) -> Self {
@@ -54,7 +57,10 @@ impl Error {
         known: impl Iterator<Item = &'a str>,
     ) -> Self {
         let known = known.collect::<Vec<_>>().join(", ");
-        Self::new(Status::UnknownName, format!("unknown {kind} '{name}'; known: {known}"))
+        Self::new(
+            Status::UnknownName,
+            format!("unknown {kind} '{name}'; known: {known}"),
+        )
     }
 }
 

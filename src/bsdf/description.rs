@@ -24,7 +24,10 @@ enum Given {
 impl Description {
     /// Of a model with every parameter at its default.
     pub fn new(model: &str) -> Self {
-        Self { model: model.to_owned(), ..Self::default() }
+        Self {
+            model: model.to_owned(),
+            ..Self::default()
+        }
     }
 
     /// The model's name.
@@ -35,14 +38,16 @@ impl Description {
     /// Sets numbers; a single number stands for all three components, directions excepted.
     #[must_use]
     pub fn set(mut self, param: &str, numbers: &[f32]) -> Self {
-        self.params.push((param.to_owned(), Given::Numbers(numbers.to_vec())));
+        self.params
+            .push((param.to_owned(), Given::Numbers(numbers.to_vec())));
         self
     }
 
     /// Makes a choice.
     #[must_use]
     pub fn choose(mut self, param: &str, choice: &str) -> Self {
-        self.params.push((param.to_owned(), Given::Choice(choice.to_owned())));
+        self.params
+            .push((param.to_owned(), Given::Choice(choice.to_owned())));
         self
     }
 
@@ -57,7 +62,10 @@ impl Description {
     /// Checks everything there is to check.
     pub(super) fn resolve(&self, entry: &Entry) -> Result<Resolved, Error> {
         let info = entry.info;
-        let mut resolved = Resolved { values: Values::defaults(info), varying: Vec::new() };
+        let mut resolved = Resolved {
+            values: Values::defaults(info),
+            varying: Vec::new(),
+        };
         let mut seen = vec![false; info.params.len()];
         for (name, given) in &self.params {
             let index = index_of(info, name)?;
@@ -69,9 +77,15 @@ impl Description {
         for (name, min, max) in &self.varying {
             let param = index_of(info, name)?;
             if resolved.varying.iter().any(|range| range.param == param) {
-                return Err(Error::invalid(format!("varying parameter '{name}' is given twice")));
+                return Err(Error::invalid(format!(
+                    "varying parameter '{name}' is given twice"
+                )));
             }
-            let range = Range { param, min: *min, max: *max };
+            let range = Range {
+                param,
+                min: *min,
+                max: *max,
+            };
             check_range(info, &range)?;
             resolved.varying.push(range);
         }
@@ -91,7 +105,10 @@ impl Resolved {
     pub fn values_in<T: Scalar>(&self, info: &ModelInfo) -> Values<T> {
         let mut values = Values::defaults(info);
         for (index, param) in info.params.iter().enumerate() {
-            let numbers = self.values.rgb(index).map(|number| T::new(f64::from(number)));
+            let numbers = self
+                .values
+                .rgb(index)
+                .map(|number| T::new(f64::from(number)));
             let numbers = match param.kind {
                 ParamKind::Direction { .. } => upward(numbers).unwrap_or(numbers),
                 _ => numbers,
@@ -130,7 +147,15 @@ fn set(
 ) -> Result<(), Error> {
     let name = param.name();
     match (&param.kind, given) {
-        (ParamKind::Number { components, min, max, .. }, Given::Numbers(numbers)) => {
+        (
+            ParamKind::Number {
+                components,
+                min,
+                max,
+                ..
+            },
+            Given::Numbers(numbers),
+        ) => {
             let numbers = spread(name, *components, numbers)?;
             for (c, number) in numbers.into_iter().enumerate().take(*components) {
                 check_number(&component_name(name, *components, c), number, *min, *max)?;
@@ -141,7 +166,11 @@ fn set(
             values.set_numbers(index, direction(name, numbers, *min_z)?);
         }
         (ParamKind::Choice { choices }, Given::Choice(choice)) => {
-            let names = || choices.iter().map(|choice| choice.to_str().unwrap_or_default());
+            let names = || {
+                choices
+                    .iter()
+                    .map(|choice| choice.to_str().unwrap_or_default())
+            };
             let found = names().position(|name| name == choice);
             let kind = format!("choice for '{name}'");
             values.set_choice(
@@ -171,7 +200,9 @@ fn spread(name: &str, components: usize, numbers: &[f32]) -> Result<[f32; 3], Er
         _ => {
             let allowed = if components == 3 { "1 or 3" } else { "1" };
             let count = numbers.len();
-            Err(Error::invalid(format!("parameter '{name}' takes {allowed} numbers, not {count}")))
+            Err(Error::invalid(format!(
+                "parameter '{name}' takes {allowed} numbers, not {count}"
+            )))
         }
     }
 }
@@ -179,7 +210,9 @@ fn spread(name: &str, components: usize, numbers: &[f32]) -> Result<[f32; 3], Er
 fn direction(name: &str, numbers: &[f32], min_z: f32) -> Result<[f32; 3], Error> {
     let &[x, y, z] = numbers else {
         let count = numbers.len();
-        return Err(Error::invalid(format!("parameter '{name}' takes 3 numbers, not {count}")));
+        return Err(Error::invalid(format!(
+            "parameter '{name}' takes 3 numbers, not {count}"
+        )));
     };
     for (c, number) in [x, y, z].into_iter().enumerate() {
         check_number(&component_name(name, 3, c), number, f32::MIN, f32::MAX)?;
@@ -197,14 +230,20 @@ fn direction(name: &str, numbers: &[f32], min_z: f32) -> Result<[f32; 3], Error>
 }
 
 fn component_name(name: &str, components: usize, c: usize) -> String {
-    if components == 1 { name.to_owned() } else { format!("{name}[{c}]") }
+    if components == 1 {
+        name.to_owned()
+    } else {
+        format!("{name}[{c}]")
+    }
 }
 
 fn check_number(name: &str, number: f32, min: f32, max: f32) -> Result<(), Error> {
     if number >= min && number <= max {
         return Ok(());
     }
-    Err(Error::out_of_range(format!("parameter '{name}' = {number} is outside [{min}, {max}]")))
+    Err(Error::out_of_range(format!(
+        "parameter '{name}' = {number} is outside [{min}, {max}]"
+    )))
 }
 
 /// A declared range must lie within the parameter's own.
@@ -212,14 +251,30 @@ fn check_range(info: &ModelInfo, range: &Range) -> Result<(), Error> {
     let param = &info.params[range.param];
     let name = param.name();
     if !param.can_vary {
-        let vary = info.params.iter().filter(|param| param.can_vary).map(ParamInfo::name);
+        let vary = info
+            .params
+            .iter()
+            .filter(|param| param.can_vary)
+            .map(ParamInfo::name);
         let vary = vary.collect::<Vec<_>>().join(", ");
-        return Err(Error::unsupported(format!("parameter '{name}' cannot vary; can: {vary}")));
+        return Err(Error::unsupported(format!(
+            "parameter '{name}' cannot vary; can: {vary}"
+        )));
     }
     match param.kind {
         ParamKind::Number { min, max, .. } => {
-            check_number(&format!("{name} (least varying value)"), range.min, min, max)?;
-            check_number(&format!("{name} (greatest varying value)"), range.max, min, max)?;
+            check_number(
+                &format!("{name} (least varying value)"),
+                range.min,
+                min,
+                max,
+            )?;
+            check_number(
+                &format!("{name} (greatest varying value)"),
+                range.max,
+                min,
+                max,
+            )?;
             if range.min > range.max {
                 return Err(Error::out_of_range(format!(
                     "varying parameter '{name}' has its range reversed: [{}, {}]",
@@ -236,7 +291,9 @@ fn check_range(info: &ModelInfo, range: &Range) -> Result<(), Error> {
             }
         }
         ParamKind::Choice { .. } => {
-            return Err(Error::unsupported(format!("parameter '{name}' is a choice")));
+            return Err(Error::unsupported(format!(
+                "parameter '{name}' is a choice"
+            )));
         }
     }
     Ok(())

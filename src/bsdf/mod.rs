@@ -7,12 +7,12 @@ pub use description::Description;
 
 use crate::error::Error;
 use crate::lobe::{self, Flags, Kernel, ModelInfo, Override, PerLobe, Values};
-use crate::math::{Real, Rgb, Vec3};
+use crate::math::{Element, Rgb, Vec3};
 use varying::Varying;
 
 /// The precisions that a BSDF exists in: `f32` with `glam::Vec3` for renderers, `f64` with
 /// `glam::DVec3` as the oracle.
-pub trait Scalar: Real<Mask = bool> + PartialOrd + Default {
+pub trait Scalar: Element<Mask = bool> + PartialOrd + Default {
     /// The public vector type.
     type Vector: Into<[Self; 3]> + From<[Self; 3]> + Copy;
     #[doc(hidden)]
@@ -54,7 +54,14 @@ impl<T: Scalar> Sample<T> {
     /// No valid sample.
     fn none() -> Self {
         let zero = T::new(0.0);
-        Self { wi: [zero; 3].into(), pdf: zero, weight: [zero; 3], eta: zero, flags: Flags(0), lobe: 0 }
+        Self {
+            wi: [zero; 3].into(),
+            pdf: zero,
+            weight: [zero; 3],
+            eta: zero,
+            flags: Flags(0),
+            lobe: 0,
+        }
     }
 }
 
@@ -115,8 +122,10 @@ impl<T: Scalar> Bsdf<T> {
 
     /// f(wo, wi) |wi.z|.
     pub fn eval(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
-        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| kernel.eval(overrides, wo, wi))
-            .unwrap_or([T::new(0.0); 3])
+        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| {
+            kernel.eval(overrides, wo, wi)
+        })
+        .unwrap_or([T::new(0.0); 3])
     }
 
     /// [`Bsdf::eval`] and the density with which [`Bsdf::sample`] finds wi, per solid angle.
@@ -135,8 +144,10 @@ impl<T: Scalar> Bsdf<T> {
         varying: Option<&[T]>,
     ) -> (PerLobe<T>, PerLobe<T>) {
         let none = [T::new(0.0); lobe::MAX_LOBES];
-        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| kernel.lobes(overrides, wo, wi))
-            .unwrap_or((none, none))
+        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| {
+            kernel.lobes(overrides, wo, wi)
+        })
+        .unwrap_or((none, none))
     }
 
     /// A direction for three uniform numbers in [0, 1).
@@ -147,7 +158,8 @@ impl<T: Scalar> Bsdf<T> {
             if !u.into_iter().all(is_uniform) {
                 return None;
             }
-            self.varying.with(varying, |overrides| self.kernel.sample(overrides, wo, u))?
+            self.varying
+                .with(varying, |overrides| self.kernel.sample(overrides, wo, u))?
         });
         sampled.map_or(Sample::none(), |sampled| Sample {
             wi: sampled.wi.to_array().into(),
@@ -164,7 +176,10 @@ impl<T: Scalar> Bsdf<T> {
     /// millisecond) unless the model has a closed form.
     pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
         self.direction(wo)
-            .and_then(|wo| self.varying.with(varying, |overrides| self.kernel.albedo(overrides, wo)))
+            .and_then(|wo| {
+                self.varying
+                    .with(varying, |overrides| self.kernel.albedo(overrides, wo))
+            })
             .unwrap_or([T::new(0.0); 3])
     }
 
@@ -178,7 +193,8 @@ impl<T: Scalar> Bsdf<T> {
         f: impl FnOnce(&dyn Kernel<T>, &[Override<T>], Vec3<T>, Vec3<T>) -> R,
     ) -> Option<R> {
         let (wo, wi) = (self.direction(wo)?, self.direction(wi)?);
-        self.varying.with(varying, |overrides| f(&*self.kernel, overrides, wo, wi))
+        self.varying
+            .with(varying, |overrides| f(&*self.kernel, overrides, wo, wi))
     }
 
     /// The direction, if it is unit to 1e-3 and on the side where the model reflects.

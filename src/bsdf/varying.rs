@@ -32,7 +32,10 @@ pub(super) struct Range {
 
 impl<T: Scalar> Varying<T> {
     pub fn new(info: &ModelInfo, values: &Values<T>, ranges: &[Range]) -> Self {
-        assert!(ranges.len() <= MAX_VARYING, "a model with more than {MAX_VARYING} parameters");
+        assert!(
+            ranges.len() <= MAX_VARYING,
+            "a model with more than {MAX_VARYING} parameters"
+        );
         let slots = ranges.iter().map(|range| Slot {
             param: range.param,
             components: info.params[range.param].components(),
@@ -66,19 +69,21 @@ impl<T: Scalar> Varying<T> {
 
     /// Calls `f` with the overrides that `varying` stands for; `None` if a value is unusable.
     #[inline(always)]
-    pub fn with<R>(
-        &self,
-        varying: Option<&[T]>,
-        f: impl FnOnce(&[Override<T>]) -> R,
-    ) -> Option<R> {
+    pub fn with<R>(&self, varying: Option<&[T]>, f: impl FnOnce(&[Override<T>]) -> R) -> Option<R> {
         let Some(mut rest) = varying.filter(|_| !self.slots.is_empty()) else {
             return Some(f(&[]));
         };
-        let unset = Override { param: 0, value: [T::new(0.0); 3] };
+        let unset = Override {
+            param: 0,
+            value: [T::new(0.0); 3],
+        };
         let mut overrides = [unset; MAX_VARYING];
         for (slot, target) in self.slots.iter().zip(&mut overrides) {
             let (numbers, after) = rest.split_at_checked(slot.components)?;
-            *target = Override { param: slot.param, value: slot.read(numbers)? };
+            *target = Override {
+                param: slot.param,
+                value: slot.read(numbers)?,
+            };
             rest = after;
         }
         rest.is_empty().then(|| f(&overrides[..self.slots.len()]))
@@ -104,7 +109,9 @@ impl<T: Scalar> Slot<T> {
 /// A vector of any length with z > 0, normalised. Scaled by its largest component first, since the
 /// square of a large or a small number may leave the range of the type.
 pub(super) fn upward<T: Scalar>(value: [T; 3]) -> Option<[T; 3]> {
-    let largest = value.into_iter().fold(T::new(0.0), |largest, x| Real::max(largest, x.abs()));
+    let largest = value
+        .into_iter()
+        .fold(T::new(0.0), |largest, x| Real::max(largest, x.abs()));
     let inverse = T::new(1.0) / largest;
     if value[2] <= T::new(0.0) || !inverse.is_finite() {
         return None;

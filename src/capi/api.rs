@@ -118,5 +118,9 @@ static API: PellicleApi = PellicleApi {
 /// if the library that runs has another one. The table lives as long as the library.
 #[unsafe(no_mangle)]
 pub extern "C" fn pellicle_get_api(abi_version: u32) -> *const PellicleApi {
-    if abi_version == PELLICLE_ABI_VERSION { &API } else { std::ptr::null() }
+    if abi_version == PELLICLE_ABI_VERSION {
+        &API
+    } else {
+        std::ptr::null()
+    }
 }

@@ -79,8 +79,11 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
 /// More views than any BSDF has varying parameters; so that converting needs no allocation.
 const MAX_VIEWS: usize = 16;
 
-const NOTHING: ConstView =
-    ConstView { data: std::ptr::null(), element_stride: 0, component_stride: 0 };
+const NOTHING: ConstView = ConstView {
+    data: std::ptr::null(),
+    element_stride: 0,
+    component_stride: 0,
+};
 
 unsafe fn convert<'a>(
     varying: *const PellicleConstView,
@@ -88,7 +91,9 @@ unsafe fn convert<'a>(
     views: &'a mut [ConstView; MAX_VIEWS],
 ) -> Result<&'a [ConstView], Error> {
     if count > MAX_VIEWS {
-        return Err(Error::invalid(format!("args->varying_count = {count} exceeds {MAX_VIEWS}")));
+        return Err(Error::invalid(format!(
+            "args->varying_count = {count} exceeds {MAX_VIEWS}"
+        )));
     }
     // SAFETY: the caller vouches for `count` views.
     let given = unsafe { slice(varying, count, "args->varying")? };
@@ -120,6 +125,10 @@ impl From<PellicleView> for View {
 
 impl From<PellicleUintView> for View<u32> {
     fn from(view: PellicleUintView) -> Self {
-        Self { data: view.data, element_stride: view.element_stride, component_stride: 0 }
+        Self {
+            data: view.data,
+            element_stride: view.element_stride,
+            component_stride: 0,
+        }
     }
 }

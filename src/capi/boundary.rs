@@ -35,7 +35,10 @@ pub(super) fn quiet_panics() {
         let sources = file!().trim_end_matches("capi/boundary.rs");
         let previous = panic::take_hook();
         panic::set_hook(Box::new(move |info| {
-            if !info.location().is_some_and(|place| place.file().starts_with(sources)) {
+            if !info
+                .location()
+                .is_some_and(|place| place.file().starts_with(sources))
+            {
                 previous(info);
             }
         }));
@@ -61,7 +64,10 @@ fn report_panic(payload: &(dyn Any + Send)) -> PellicleStatus {
 
 /// The object behind a pointer to read.
 #[inline(always)]
-pub(super) unsafe fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Error> {
+pub(super) unsafe fn reference<'a, T>(
+    pointer: *const T,
+    name: &'static str,
+) -> Result<&'a T, Error> {
     // SAFETY: not NULL; the caller vouches for the rest, as C callers must.
     unsafe { pointer.as_ref() }.ok_or_else(|| null(name))
 }
@@ -82,7 +88,11 @@ pub(super) unsafe fn numbers<const N: usize>(
 /// Refuses NULL for an output.
 #[inline(always)]
 pub(super) fn require<T>(pointer: *const T, name: &'static str) -> Result<(), Error> {
-    if pointer.is_null() { Err(null(name)) } else { Ok(()) }
+    if pointer.is_null() {
+        Err(null(name))
+    } else {
+        Ok(())
+    }
 }
 
 #[cold]
@@ -100,10 +110,14 @@ pub(super) unsafe fn slice<'a, T>(
         return Ok(&[]);
     }
     if pointer.is_null() {
-        return Err(Error::invalid(format!("{name} is NULL but its count is {count}")));
+        return Err(Error::invalid(format!(
+            "{name} is NULL but its count is {count}"
+        )));
     }
     if count > isize::MAX as usize / size_of::<T>().max(1) {
-        return Err(Error::invalid(format!("{name} has an impossible count: {count}")));
+        return Err(Error::invalid(format!(
+            "{name} has an impossible count: {count}"
+        )));
     }
     // SAFETY: not NULL, no overflow; the caller vouches for `count` elements.
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
@@ -117,7 +131,8 @@ pub(super) unsafe fn string(pointer: *const c_char, name: &str) -> Result<String
     // SAFETY: not NULL; the caller vouches for the terminator.
     let text = unsafe { CStr::from_ptr(pointer) };
     let text = text.to_str();
-    text.map(str::to_owned).map_err(|_| Error::invalid(format!("{name} is not valid UTF-8")))
+    text.map(str::to_owned)
+        .map_err(|_| Error::invalid(format!("{name} is not valid UTF-8")))
 }
 
 /// Reads a struct that grows: a shorter one is filled up with zeros, the tail of a longer one must
@@ -136,7 +151,10 @@ pub(super) unsafe fn read_growing<T: Copy>(
     let mut value = MaybeUninit::<T>::zeroed();
     // SAFETY: `known` bytes are readable and fit into T; zero is valid for what is left.
     let value = unsafe {
-        value.as_mut_ptr().cast::<u8>().copy_from_nonoverlapping(pointer.cast(), known);
+        value
+            .as_mut_ptr()
+            .cast::<u8>()
+            .copy_from_nonoverlapping(pointer.cast(), known);
         value.assume_init()
     };
     for offset in known..size {
@@ -161,13 +179,19 @@ pub(super) unsafe fn write_growing<T: Copy>(pointer: *mut T, size: usize, value:
     let known = size.min(size_of::<T>());
     // SAFETY: `known` bytes are readable in `value` and, as the caller vouches, writable there.
     unsafe {
-        pointer.cast::<u8>().copy_from_nonoverlapping(std::ptr::from_ref(value).cast(), known);
+        pointer
+            .cast::<u8>()
+            .copy_from_nonoverlapping(std::ptr::from_ref(value).cast(), known);
     }
 }
 
 /// Refuses NULL and impossible sizes for an output that grows.
 #[inline(always)]
-pub(super) fn check_output<T>(pointer: *mut T, size: usize, name: &'static str) -> Result<(), Error> {
+pub(super) fn check_output<T>(
+    pointer: *mut T,
+    size: usize,
+    name: &'static str,
+) -> Result<(), Error> {
     require(pointer, name)?;
     check_size(size, name)
 }
@@ -184,7 +208,9 @@ fn check_size(size: usize, name: &'static str) -> Result<(), Error> {
 
 #[cold]
 fn wrong_size(size: usize, name: &'static str) -> Error {
-    Error::invalid(format!("{name} has a size of {size} bytes: pass its sizeof"))
+    Error::invalid(format!(
+        "{name} has a size of {size} bytes: pass its sizeof"
+    ))
 }
 
 #[cfg(test)]
@@ -200,6 +226,9 @@ mod tests {
         assert_eq!(status, Status::Internal as PellicleStatus);
         // SAFETY: the message is NUL-terminated and lives until this thread's next failure.
         let message = unsafe { CStr::from_ptr(pellicle_last_error()) };
-        assert!(message.to_string_lossy().contains("deliberate 42"), "{message:?}");
+        assert!(
+            message.to_string_lossy().contains("deliberate 42"),
+            "{message:?}"
+        );
     }
 }

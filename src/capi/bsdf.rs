@@ -124,7 +124,9 @@ pub unsafe extern "C" fn pellicle_bsdf_eval(
             let varying = varying_numbers(bsdf, varying);
             if pdf.is_null() {
                 require(value, "value (and pdf)")?;
-                value.cast::<[f32; 3]>().write_unaligned(bsdf.eval(wo, wi, varying));
+                value
+                    .cast::<[f32; 3]>()
+                    .write_unaligned(bsdf.eval(wo, wi, varying));
                 return Ok(());
             }
             let (rgb, density) = bsdf.eval_pdf(wo, wi, varying);
@@ -230,7 +232,10 @@ unsafe fn description(desc: &PellicleBsdfDesc) -> Result<Description, Error> {
     }
 }
 
-unsafe fn with_param(description: Description, param: &PellicleParam) -> Result<Description, Error> {
+unsafe fn with_param(
+    description: Description,
+    param: &PellicleParam,
+) -> Result<Description, Error> {
     // SAFETY: the caller vouches for strings and counts.
     unsafe {
         let name = string(param.name, "desc->params[].name")?;

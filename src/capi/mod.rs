@@ -7,8 +7,8 @@
 mod api;
 mod args;
 mod batch;
-mod bsdf;
 mod boundary;
+mod bsdf;
 mod last_error;
 mod model;
 mod types;

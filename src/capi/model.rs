@@ -30,7 +30,9 @@ pub unsafe extern "C" fn pellicle_model_info(
         check_output(info, info_size, "info")?;
         let described = numbered_model(model)?;
         let reason = |exception: &Option<Exception>| {
-            exception.as_ref().map_or(null(), |exception| exception.reason.as_ptr())
+            exception
+                .as_ref()
+                .map_or(null(), |exception| exception.reason.as_ptr())
         };
         let filled = PellicleModelInfo {
             name: described.name.as_ptr(),
@@ -64,7 +66,10 @@ pub unsafe extern "C" fn pellicle_model_param(
         check_output(info, info_size, "info")?;
         let params = numbered_model(model)?.params;
         let described = params.get(param).ok_or_else(|| {
-            Error::out_of_range(format!("param = {param} is outside [0, {}]", params.len() - 1))
+            Error::out_of_range(format!(
+                "param = {param} is outside [0, {}]",
+                params.len() - 1
+            ))
         })?;
         let filled = fill(described);
         // SAFETY: not NULL, and the caller vouches for `info_size` bytes.
@@ -75,7 +80,10 @@ pub unsafe extern "C" fn pellicle_model_param(
 
 fn numbered_model(model: usize) -> Result<&'static ModelInfo, Error> {
     let entry = models().get(model).ok_or_else(|| {
-        Error::out_of_range(format!("model = {model} is outside [0, {}]", models().len() - 1))
+        Error::out_of_range(format!(
+            "model = {model} is outside [0, {}]",
+            models().len() - 1
+        ))
     })?;
     Ok(entry.info)
 }
@@ -96,7 +104,12 @@ fn fill(param: &ParamInfo) -> PellicleModelParam {
         choices: [null(); 8],
     };
     match param.kind {
-        ParamKind::Number { components, min, max, default } => {
+        ParamKind::Number {
+            components,
+            min,
+            max,
+            default,
+        } => {
             (filled.min, filled.max) = (min, max);
             filled.default_value[..components].fill(default);
         }

@@ -53,12 +53,16 @@ pub struct ModelInfo {
 impl ModelInfo {
     /// The flags of all lobes together.
     pub fn flags(&self) -> Flags {
-        self.lobes.iter().fold(Flags(0), |flags, lobe| flags.with(lobe.flags))
+        self.lobes
+            .iter()
+            .fold(Flags(0), |flags, lobe| flags.with(lobe.flags))
     }
 
     /// The index of a parameter.
     pub fn param(&self, name: &str) -> Option<usize> {
-        self.params.iter().position(|param| param.name.to_bytes() == name.as_bytes())
+        self.params
+            .iter()
+            .position(|param| param.name.to_bytes() == name.as_bytes())
     }
 }
 

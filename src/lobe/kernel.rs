@@ -2,7 +2,7 @@
 
 use super::quadrature::mixture;
 use super::scattering::{MAX_LOBES, PerLobe, Scattering};
-use crate::math::{Real, Rgb, Vec3};
+use crate::math::{Element, Real, Rgb, Vec3};
 
 /// A parameter's value for one call, in place of the one it was compiled with.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ pub struct Direction<T> {
 }
 
 /// [`Scattering`] with overrides and lobe mixture, callable without knowing the model.
-pub trait Kernel<T: Real>: Send + Sync {
+pub trait Kernel<T: Element>: Send + Sync {
     /// f(wo, wi) |wi.z|.
     fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T>;
     /// Value and density.
@@ -63,9 +63,11 @@ macro_rules! with_overrides {
     };
 }
 
-impl<T: Real<Mask = bool> + PartialOrd, S: Scattering<T>> Kernel<T> for S {
+impl<T: Element<Mask = bool> + PartialOrd, S: Scattering<T>> Kernel<T> for S {
     fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
-        with_overrides!(self, overrides, |scattering| Scattering::eval(scattering, wo, wi))
+        with_overrides!(self, overrides, |scattering| Scattering::eval(
+            scattering, wo, wi
+        ))
     }
 
     fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
@@ -82,7 +84,10 @@ impl<T: Real<Mask = bool> + PartialOrd, S: Scattering<T>> Kernel<T> for S {
         wi: Vec3<T>,
     ) -> (PerLobe<T>, PerLobe<T>) {
         with_overrides!(self, overrides, |scattering| {
-            (scattering.selection(wo), scattering.eval_with_densities(wo, wi).1)
+            (
+                scattering.selection(wo),
+                scattering.eval_with_densities(wo, wi).1,
+            )
         })
     }
 
@@ -91,12 +96,14 @@ impl<T: Real<Mask = bool> + PartialOrd, S: Scattering<T>> Kernel<T> for S {
     }
 
     fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
-        with_overrides!(self, overrides, |scattering| Scattering::albedo(scattering, wo))
+        with_overrides!(self, overrides, |scattering| Scattering::albedo(
+            scattering, wo
+        ))
     }
 }
 
 #[inline(always)]
-fn sample<T: Real<Mask = bool> + PartialOrd, S: Scattering<T>>(
+fn sample<T: Element<Mask = bool> + PartialOrd, S: Scattering<T>>(
     scattering: &S,
     wo: Vec3<T>,
     u: [T; 3],
@@ -113,7 +120,12 @@ fn sample<T: Real<Mask = bool> + PartialOrd, S: Scattering<T>>(
         return None;
     }
     let weight = value.map(|value| value / pdf);
-    Some(Direction { wi, pdf, weight, lobe })
+    Some(Direction {
+        wi,
+        pdf,
+        weight,
+        lobe,
+    })
 }
 
 /// The lobe in whose share of [0, 1) the number lies; none if all shares are 0.

@@ -7,7 +7,7 @@
 use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
 use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
 use super::values::Values;
-use crate::math::{PI, Real, Rgb, Vec3, warp};
+use crate::math::{Element, PI, Rgb, Vec3, warp};
 
 /// The model; see the module's documentation.
 pub struct Lambert;
@@ -23,7 +23,12 @@ impl Model for Lambert {
             name: c"reflectance",
             unit: c"",
             summary: c"Fraction of light reflected, RGB.",
-            kind: ParamKind::Number { components: 3, min: 0.0, max: 1.0, default: 0.5 },
+            kind: ParamKind::Number {
+                components: 3,
+                min: 0.0,
+                max: 1.0,
+                default: 0.5,
+            },
             can_vary: true,
         }],
         lobes: &[LobeInfo {
@@ -34,10 +39,12 @@ impl Model for Lambert {
         not_conserving: None,
     };
 
-    type Prepared<T: Real> = Prepared<T>;
+    type Prepared<T: Element> = Prepared<T>;
 
-    fn prepare<T: Real>(values: &Values<T>) -> Prepared<T> {
-        Prepared { reflectance: values.rgb(REFLECTANCE) }
+    fn prepare<T: Element>(values: &Values<T>) -> Prepared<T> {
+        Prepared {
+            reflectance: values.rgb(REFLECTANCE),
+        }
     }
 }
 
@@ -47,7 +54,7 @@ pub struct Prepared<T> {
     reflectance: Rgb<T>,
 }
 
-impl<T: Real> Scattering<T> for Prepared<T> {
+impl<T: Element> Scattering<T> for Prepared<T> {
     #[inline(always)]
     fn vary(&mut self, _param: usize, value: [T; 3]) {
         self.reflectance = value;

@@ -15,8 +15,8 @@ mod registry;
 mod scattering;
 mod values;
 
-pub use kernel::{Direction, Kernel, Override};
 pub use info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+pub use kernel::{Direction, Kernel, Override};
 pub use registry::{Entry, find, models};
 pub use scattering::{MAX_LOBES, Model, PerLobe, Scattering};
 pub use values::Values;

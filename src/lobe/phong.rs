@@ -13,7 +13,7 @@ use super::power_lobe::{estimated_integral, mean, power_of_cosine, sample_about}
 use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
 use super::values::Values;
 use crate::error::Error;
-use crate::math::{PI, Real, Rgb, Vec3, warp};
+use crate::math::{Element, PI, Real, Rgb, Vec3, warp};
 
 /// The model; see the module's documentation.
 pub struct Phong;
@@ -35,33 +35,54 @@ impl Model for Phong {
                 name: c"diffuse",
                 unit: c"",
                 summary: c"Albedo of the diffuse part, RGB; diffuse + specular <= 1.",
-                kind: ParamKind::Number { components: 3, min: 0.0, max: 1.0, default: 0.5 },
+                kind: ParamKind::Number {
+                    components: 3,
+                    min: 0.0,
+                    max: 1.0,
+                    default: 0.5,
+                },
                 can_vary: true,
             },
             ParamInfo {
                 name: c"specular",
                 unit: c"",
                 summary: c"Albedo of the highlight at normal incidence, RGB.",
-                kind: ParamKind::Number { components: 3, min: 0.0, max: 1.0, default: 0.25 },
+                kind: ParamKind::Number {
+                    components: 3,
+                    min: 0.0,
+                    max: 1.0,
+                    default: 0.25,
+                },
                 can_vary: true,
             },
             ParamInfo {
                 name: c"exponent",
                 unit: c"",
                 summary: c"Sharpness of the highlight.",
-                kind: ParamKind::Number { components: 1, min: 0.0, max: 1e5, default: 50.0 },
+                kind: ParamKind::Number {
+                    components: 1,
+                    min: 0.0,
+                    max: 1e5,
+                    default: 50.0,
+                },
                 can_vary: true,
             },
         ],
         lobes: &[
-            LobeInfo { name: c"diffuse", flags: Flags::REFLECTION.with(Flags::DIFFUSE) },
-            LobeInfo { name: c"specular", flags: Flags::REFLECTION.with(Flags::GLOSSY) },
+            LobeInfo {
+                name: c"diffuse",
+                flags: Flags::REFLECTION.with(Flags::DIFFUSE),
+            },
+            LobeInfo {
+                name: c"specular",
+                flags: Flags::REFLECTION.with(Flags::GLOSSY),
+            },
         ],
         not_reciprocal: None,
         not_conserving: None,
     };
 
-    type Prepared<T: Real> = Prepared<T>;
+    type Prepared<T: Element> = Prepared<T>;
 
     fn check(upper: &Values<f32>) -> Result<(), Error> {
         let (diffuse, specular) = (upper.rgb(DIFFUSE), upper.rgb(SPECULAR));
@@ -77,7 +98,7 @@ impl Model for Phong {
         Ok(())
     }
 
-    fn prepare<T: Real>(values: &Values<T>) -> Prepared<T> {
+    fn prepare<T: Element>(values: &Values<T>) -> Prepared<T> {
         Prepared {
             diffuse: values.rgb(DIFFUSE),
             specular: values.rgb(SPECULAR),
@@ -109,7 +130,7 @@ impl<T: Real> Prepared<T> {
     }
 }
 
-impl<T: Real> Scattering<T> for Prepared<T> {
+impl<T: Element> Scattering<T> for Prepared<T> {
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [T; 3]) {
         match param {

@@ -1,24 +1,31 @@
 //! Directional albedo by deterministic quadrature over the lobes' own parametrisations.
 
 use super::scattering::{MAX_LOBES, Scattering};
-use crate::math::{Mask, Real, Rgb, Vec3};
+use crate::math::{Element, Mask, Real, Rgb, Vec3};
 
-/// Nodes along each of a lobe's two uniform numbers.
-const NODES: usize = 48;
+/// Two successive Fibonacci numbers: the nodes of a lobe are (i + 1/2) / NODES and
+/// i * GENERATOR / NODES mod 1, the Fibonacci lattice, which of all lattices of two dimensions is
+/// spread most evenly (Niederreiter 1992, section 5). A product grid of as many nodes is ten times
+/// worse where a lobe is cut by the critical cone, since whole rows cross the edge at once.
+const NODES: u32 = 4181;
+const GENERATOR: u32 = 2584;
 
 /// The integral of value over wi, as the sum over lobes of probability times the mean of
-/// value / pdf over a NODES x NODES midpoint grid of the lobe's uniform numbers: the balance
-/// heuristic with stratified instead of random numbers, so every integrand is bounded.
+/// value / pdf over the lattice in the lobe's two uniform numbers: the balance heuristic with fixed
+/// instead of random numbers, so every integrand is bounded.
 ///
-/// The error, measured against adaptive integration in `tests/albedo.rs`, is stated there per model.
-pub fn albedo<T: Real, S: Scattering<T>>(scattering: &S, wo: Vec3<T>) -> Rgb<T> {
+/// `tests/albedo.rs` measures the error against adaptive integration: below 2e-3 of the albedo's
+/// greatest channel for all models, for layers to 3 um.
+pub fn albedo<T: Element, S: Scattering<T>>(scattering: &S, wo: Vec3<T>) -> Rgb<T> {
     let selection = scattering.selection(wo);
-    let node = |i: usize| T::new((i as f64 + 0.5) / NODES as f64);
     let zero = T::new(0.0);
     let mut sum = [zero; 3];
     for lobe in (0..MAX_LOBES).filter(|&lobe| selection[lobe].gt(zero).any()) {
-        for (i, j) in (0..NODES * NODES).map(|n| (n / NODES, n % NODES)) {
-            let wi = scattering.sample(lobe, wo, [node(i), node(j)]);
+        for i in 0..NODES {
+            let fraction = |numerator: f64| T::new(numerator / f64::from(NODES));
+            let u1 = fraction(f64::from(i) + 0.5);
+            let u2 = fraction(f64::from(i * GENERATOR % NODES));
+            let wi = scattering.sample(lobe, wo, [u1, u2]);
             let (value, densities) = scattering.eval_with_densities(wo, wi);
             let pdf = mixture(&selection, &densities);
             let usable = wi.z.gt(zero) & pdf.gt(zero) & selection[lobe].gt(zero);
@@ -28,7 +35,7 @@ pub fn albedo<T: Real, S: Scattering<T>>(scattering: &S, wo: Vec3<T>) -> Rgb<T> 
             }
         }
     }
-    sum.map(|channel| channel * T::new(1.0 / (NODES * NODES) as f64))
+    sum.map(|channel| channel * T::new(1.0 / f64::from(NODES)))
 }
 
 /// The density of all lobes together.

@@ -4,7 +4,7 @@ use super::info::ModelInfo;
 use super::quadrature;
 use super::values::Values;
 use crate::error::Error;
-use crate::math::{Real, Rgb, Vec3};
+use crate::math::{Element, Real, Rgb, Vec3};
 
 /// The most lobes a model may have.
 pub const MAX_LOBES: usize = 5;
@@ -18,7 +18,7 @@ pub trait Model: 'static {
     const INFO: ModelInfo;
 
     /// The compiled form: what evaluation needs and nothing else.
-    type Prepared<T: Real>: Scattering<T>;
+    type Prepared<T: Element>: Scattering<T>;
 
     /// Refuses combinations of values that are each within their own range. `upper` holds the
     /// greatest value that each parameter can take: its value, or the upper end of its varying range.
@@ -27,14 +27,14 @@ pub trait Model: 'static {
     }
 
     /// Compiles validated values.
-    fn prepare<T: Real>(values: &Values<T>) -> Self::Prepared<T>;
+    fn prepare<T: Element>(values: &Values<T>) -> Self::Prepared<T>;
 }
 
 /// A compiled model.
 ///
 /// For a model without TRANSMISSION every direction passed in is valid and has z > 0; the caller has
 /// seen to it. Directions returned may have z <= 0 or be null: then there is no sample.
-pub trait Scattering<T: Real>: Copy + Send + Sync + 'static {
+pub trait Scattering<T: Element>: Copy + Send + Sync + 'static {
     /// Replaces the value of a parameter that varies per call. A scalar is in all three places; a
     /// direction is unit.
     fn vary(&mut self, param: usize, value: [T; 3]);

@@ -15,10 +15,15 @@ impl<T: Real> Values<T> {
     pub fn defaults(info: &ModelInfo) -> Self {
         let numbers = info.params.iter().map(|param| match param.kind {
             ParamKind::Number { default, .. } => [T::new(f64::from(default)); 3],
-            ParamKind::Direction { .. } => Vec3::new(T::new(0.0), T::new(0.0), T::new(1.0)).to_array(),
+            ParamKind::Direction { .. } => {
+                Vec3::new(T::new(0.0), T::new(0.0), T::new(1.0)).to_array()
+            }
             ParamKind::Choice { .. } => [T::new(0.0); 3],
         });
-        Self { numbers: numbers.collect(), choices: vec![0; info.params.len()] }
+        Self {
+            numbers: numbers.collect(),
+            choices: vec![0; info.params.len()],
+        }
     }
 
     /// Sets the numbers of a parameter; a scalar is in all three places.

@@ -11,7 +11,7 @@
 //! | exp_m1 | [-87.3, 88] | 3 ulp |
 //! | ln | all positive normal numbers | 1.5 ulp |
 //! | ln_1p | (-1, 1e30] | 2 ulp |
-//! | cos_turns, sin_turns | all finite numbers | 1.2e-7 absolute |
+//! | cos_turns, sin_turns | all finite numbers | 2e-7, absolute |
 
 use super::Real;
 
@@ -23,20 +23,25 @@ pub(super) trait Single: Real {
     fn power_of_two(self) -> Self;
 }
 
+/// The bits of sqrt(1/2): subtracted from a number's bits, they make the exponent field count from
+/// there, so that mantissas come out in [sqrt(1/2), sqrt(2)).
+pub(super) const SQRT_HALF_BITS: i32 = 0x3f35_04f3;
+
+/// 1.5 * 2^23 + 127: added to a whole number, it puts the number and the exponent's bias into the
+/// low bits of the mantissa, from where a shift lifts them into the exponent field. No conversion
+/// with its checks for NaN and range is needed.
+pub(super) const EXPONENT_SHIFT: f64 = 12_582_912.0 + 127.0;
+
 impl Single for f32 {
     #[inline(always)]
     fn split(self) -> (Self, Self) {
-        // Subtracting the bits of sqrt(1/2) makes the exponent field count from there.
-        const SQRT_HALF: i32 = 0x3f35_04f3;
-        let above = self.to_bits() as i32 - SQRT_HALF;
-        let mantissa = f32::from_bits(((above & 0x007f_ffff) + SQRT_HALF) as u32);
+        let above = (self.to_bits() as i32).wrapping_sub(SQRT_HALF_BITS);
+        let mantissa = f32::from_bits(((above & 0x007f_ffff) + SQRT_HALF_BITS) as u32);
         (mantissa, (above >> 23) as f32)
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
-        // Adding 1.5 * 2^23 puts the whole number into the low bits of the mantissa, from where a
-        // shift lifts it into the exponent field: no conversion with its checks for NaN and range.
-        f32::from_bits((self + (12_582_912.0 + 127.0)).to_bits() << 23)
+        f32::from_bits((self + EXPONENT_SHIFT as f32).to_bits() << 23)
     }
 }
 

@@ -2,11 +2,14 @@
 //! three-vectors and warps of the unit square. Nothing here knows about optics.
 
 mod elementary;
+mod lanes;
 mod real;
+mod rgb;
 mod vector;
 pub mod warp;
 
 pub use real::{Mask, Real};
+pub use rgb::Element;
 pub use vector::{Rgb, Vec3};
 
 /// The ratio of a circle's circumference to its diameter, as the formulas use it.

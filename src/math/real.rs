@@ -160,12 +160,13 @@ impl Real for f32 {
 
     #[inline(always)]
     fn round(self) -> Self {
-        // Adding and taking away 1.5 * 2^23 rounds to the nearest whole number without a call to
-        // the C library, which the SSE2 baseline would otherwise need. Beyond 2^22 the sum loses
-        // the unit, but there half of all floats are whole anyway and the magnitude guard keeps them.
-        const SHIFT: f32 = 12_582_912.0;
-        let rounded = (self + SHIFT) - SHIFT;
-        if self.abs() < 4_194_304.0 { rounded } else { self }
+        // Adding and taking away 2^23 of the same sign rounds to the nearest whole number without
+        // a call to the C library, which the SSE2 baseline would otherwise need. From there on
+        // every float is whole.
+        const WHOLE: f32 = 8_388_608.0;
+        let shift = WHOLE.copysign(self);
+        let rounded = (self + shift) - shift;
+        if self.abs() < WHOLE { rounded } else { self }
     }
     #[inline(always)]
     fn exp(self) -> Self {

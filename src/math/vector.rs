@@ -1,6 +1,6 @@
 //! Three-vectors and colours over [`Real`].
 
-use super::Real;
+use super::{Element, Real};
 
 /// One value per colour channel: red, green, blue.
 pub type Rgb<T> = [T; 3];
@@ -120,5 +120,13 @@ impl<T: Real> Vec3<T> {
             T::select(mask, yes.y, no.y),
             T::select(mask, yes.z, no.z),
         )
+    }
+}
+
+impl<T: Element> Vec3<T> {
+    /// The same vector in every colour channel.
+    #[inline(always)]
+    pub fn gray(self) -> Vec3<T::Rgb> {
+        Vec3::new(self.x.gray(), self.y.gray(), self.z.gray())
     }
 }

@@ -29,7 +29,11 @@ pub fn power_cosine<T: Real>(exponent: T, u1: T, u2: T) -> Vec3<T> {
     let one = T::new(1.0);
     let complement = -((-u1).ln_1p() / (exponent + one)).exp_m1();
     let sine = (complement * (T::new(2.0) - complement)).sqrt_positive();
-    Vec3::new(sine * u2.cos_turns(), sine * u2.sin_turns(), one - complement)
+    Vec3::new(
+        sine * u2.cos_turns(),
+        sine * u2.sin_turns(),
+        one - complement,
+    )
 }
 
 /// Factor of z^e in the density of [`power_cosine`].

@@ -1,6 +1,6 @@
 //! Snell's law at the plane z = 0.
 
-use crate::math::{Real, Vec3};
+use crate::math::{Element, Real, Vec3};
 
 /// The interface between an outer medium (z > 0) and an inner one, both transparent.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +42,11 @@ impl<T: Real> Interface<T> {
     #[inline(always)]
     pub fn inside(&self, w: Vec3<T>) -> Vec3<T> {
         let cos_squared = self.complement + self.ratio.squared() * w.z.squared();
-        Vec3::new(self.ratio * w.x, self.ratio * w.y, cos_squared.sqrt_positive())
+        Vec3::new(
+            self.ratio * w.x,
+            self.ratio * w.y,
+            cos_squared.sqrt_positive(),
+        )
     }
 
     /// The outer direction of the ray whose inner part is `a` (unit, z > 0), both pointing to
@@ -51,6 +55,21 @@ impl<T: Real> Interface<T> {
     pub fn outside(&self, a: Vec3<T>) -> Vec3<T> {
         let inverse = T::new(1.0) / self.ratio;
         let cos_squared = a.z.squared() - self.complement;
-        Vec3::new(a.x * inverse, a.y * inverse, cos_squared.sqrt_positive() * inverse)
+        Vec3::new(
+            a.x * inverse,
+            a.y * inverse,
+            cos_squared.sqrt_positive() * inverse,
+        )
+    }
+}
+
+impl<C: Real> Interface<C> {
+    /// One channel of an interface with an index per channel.
+    #[inline(always)]
+    pub fn channel<T: Element<Rgb = C>>(&self, c: usize) -> Interface<T> {
+        Interface {
+            ratio: T::channels(self.ratio)[c],
+            complement: T::channels(self.complement)[c],
+        }
     }
 }

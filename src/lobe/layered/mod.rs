@@ -49,7 +49,7 @@ use super::info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
 use super::scattering::Model;
 use super::values::Values;
 use crate::error::Error;
-use crate::math::Real;
+use crate::math::Element;
 pub use prepared::Prepared;
 
 /// The model; see the module's documentation.
@@ -180,7 +180,7 @@ impl Model for Layered {
         }),
     };
 
-    type Prepared<T: Real> = Prepared<T>;
+    type Prepared<T: Element> = Prepared<T>;
 
     fn check(upper: &Values<f32>) -> Result<(), Error> {
         let specular = upper.number(SPECULAR_WEIGHT);
@@ -195,7 +195,7 @@ impl Model for Layered {
         Ok(())
     }
 
-    fn prepare<T: Real>(values: &Values<T>) -> Prepared<T> {
+    fn prepare<T: Element>(values: &Values<T>) -> Prepared<T> {
         Prepared::new(values)
     }
 }

@@ -8,10 +8,10 @@ use super::super::power_lobe::{estimated_integral, mean, sample_about, smooth_co
 use super::super::scattering::{MAX_LOBES, PerLobe, Scattering, normalized};
 use super::prepared::{Prepared, Shapes};
 use super::{DIFFUSE_LOBE, MIRROR_LOBE, REFRACTED_LOBE};
-use crate::math::{PI, Real, Rgb, Vec3, warp};
+use crate::math::{Element, PI, Real, Rgb, Vec3, warp};
 use crate::optics::schlick;
 
-impl<T: Real> Scattering<T> for Prepared<T> {
+impl<T: Element> Scattering<T> for Prepared<T> {
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [T; 3]) {
         self.set(param, value);
@@ -30,13 +30,14 @@ impl<T: Real> Scattering<T> for Prepared<T> {
 
     #[inline(always)]
     fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+        let diffuse = self.diffuse_weight * self.diffuse_scale() * T::new(PI);
+        let refracted = T::channels(self.refracted_shares(wo));
         let mut shares = [T::new(0.0); MAX_LOBES];
         shares[MIRROR_LOBE] = self.specular_weight * self.mirror_share(wo);
-        for c in 0..3 {
-            shares[REFRACTED_LOBE + c] = self.specular_weight * self.refracted_share(c, wo);
+        for (c, share) in refracted.into_iter().enumerate() {
+            shares[REFRACTED_LOBE + c] = self.specular_weight * share;
         }
-        let scale = self.diffuse_scale() * T::new(PI);
-        shares[DIFFUSE_LOBE] = self.diffuse_weight * scale * mean(self.rho_d());
+        shares[DIFFUSE_LOBE] = diffuse * mean(T::channels(self.rho_d));
         normalized(shares)
     }
 
@@ -50,7 +51,7 @@ impl<T: Real> Scattering<T> for Prepared<T> {
     }
 }
 
-impl<T: Real> Prepared<T> {
+impl<T: Element> Prepared<T> {
     /// The density of each lobe at wi.
     #[inline(always)]
     fn densities(&self, wi: Vec3<T>, shapes: &Shapes<T>) -> PerLobe<T> {
@@ -59,14 +60,16 @@ impl<T: Real> Prepared<T> {
         let mirror = shapes.mirror * warp::power_cosine_normalization(self.exponent_reflection);
         densities[DIFFUSE_LOBE] = diffuse;
         densities[MIRROR_LOBE] = T::select(self.is_hemispherical(), diffuse, mirror);
+        // cos_i dw_i = (r1 / r0)^2 cos_ii dw_ii turns the density inside into the one outside.
+        let zero = T::Rgb::new(0.0);
         let normalization = warp::power_cosine_normalization(self.exponent_transmission);
-        for c in 0..3 {
-            // cos_i dw_i = (r1 / r0)^2 cos_ii dw_ii turns the density inside into the one outside.
-            let jacobian = self.channels[c].compression * wi.z / shapes.cos_ii[c];
-            let density = shapes.refracted[c] * normalization * jacobian;
-            let possible = shapes.refracted[c].gt(T::new(0.0));
-            densities[REFRACTED_LOBE + c] = T::select(possible, density, T::new(0.0));
-        }
+        let jacobian = self.compression * wi.z.gray() / shapes.cos_ii;
+        let refracted = T::Rgb::select(
+            shapes.refracted.gt(zero),
+            shapes.refracted * normalization.gray() * jacobian,
+            zero,
+        );
+        densities[REFRACTED_LOBE..][..3].copy_from_slice(&T::channels(refracted));
         densities
     }
 
@@ -79,57 +82,61 @@ impl<T: Real> Prepared<T> {
     #[inline(always)]
     fn sample_mirror(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
         let lobe = sample_about(wo.mirrored(), self.exponent_reflection, u);
-        Vec3::select(self.is_hemispherical(), warp::cosine_hemisphere(u[0], u[1]), lobe)
+        Vec3::select(
+            self.is_hemispherical(),
+            warp::cosine_hemisphere(u[0], u[1]),
+            lobe,
+        )
     }
 
     /// The viewer's ray enters the layer, is mirrored at the lower boundary, spreads by the lobe
-    /// inside, and is refracted out again.
+    /// inside, and is refracted out again with the index of channel c.
     #[inline(always)]
     fn sample_refracted(&self, c: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
         let zero = T::new(0.0);
-        let interface = &self.channels[c].interface;
+        let interface = self.interface.channel(c);
         let axis = interface.inside(wo).mirrored_about(self.base_normal);
         let a = sample_about(axis, self.exponent_transmission, u);
         let possible = a.z.gt(zero) & a.dot(self.base_normal).gt(zero);
         Vec3::select(possible, interface.outside(a), Vec3::zero())
     }
 
-    /// Estimated albedo of R (without the weight and the division by 2, which all lobes but the
-    /// diffuse one share; that one competes with R + T at constructive interference).
+    /// Estimated albedo of R. Like that of T it lacks the weight and the division by 2: R + T is
+    /// what constructive interference reaches, and the diffuse part competes with that.
     #[inline(always)]
     fn mirror_share(&self, wo: Vec3<T>) -> T {
         let e0 = self.exponent_reflection;
         // A broad lobe sees other incidences than the mirror's: 1/21 is the mean of Schlick's
         // (1 - cos)^5 over the hemisphere (GH02 eq. 12).
         let spread = T::new(1.0 / 21.0) / (e0 + T::new(1.0));
-        let fresnel: Rgb<T> = std::array::from_fn(|c| {
-            let f0 = self.channels[c].f0;
-            schlick(f0, wo.z) + (T::new(1.0) - f0) * spread
-        });
-        self.scale_reflection * mean(fresnel) * estimated_integral(e0, wo.z)
+        let fresnel = schlick(self.f0, wo.z.gray()) + (T::Rgb::new(1.0) - self.f0) * spread.gray();
+        self.scale_reflection * mean(T::channels(fresnel)) * estimated_integral(e0, wo.z)
     }
 
-    /// Estimated albedo of T in one channel, a third of which is the channel's share.
+    /// Estimated albedo of T: per channel the third that it contributes to the mean.
     #[inline(always)]
-    fn refracted_share(&self, c: usize, wo: Vec3<T>) -> T {
-        let zero = T::new(0.0);
-        let channel = &self.channels[c];
-        let e1 = self.exponent_transmission;
-        let b = channel.interface.inside(wo);
-        let axis = b.mirrored_about(self.base_normal);
+    fn refracted_shares(&self, wo: Vec3<T>) -> T::Rgb {
+        let (zero, one, half) = (T::Rgb::new(0.0), T::Rgb::new(1.0), T::Rgb::new(0.5));
+        let e1 = self.exponent_transmission.gray();
+        let n1 = self.base_normal.gray();
+        let b = self.interface.inside(wo.gray());
+        let axis = b.mirrored_about(n1);
         // Part of the lobe inside the critical cone: a sigmoid of the axis' distance from it in
         // units of the lobe's spread, with tails heavy enough never to starve what remains.
-        let critical = channel.interface.critical_cosine_squared().sqrt();
-        let distance = (axis.z - critical) * (e1 + T::new(2.0)).sqrt();
-        let inside = T::new(0.5)
-            + T::new(0.5) * distance / (T::new(1.0) + distance.squared()).sqrt();
-        let exit = smooth_cosine(e1, channel.interface.outside(axis).z).min(T::new(1.0));
-        let crossings = (T::new(1.0) - schlick(channel.f0, wo.z))
-            * (T::new(1.0) - schlick(channel.f0, exit));
+        let critical = self.interface.critical_cosine_squared().sqrt();
+        let distance = (axis.z - critical) * (e1 + T::Rgb::new(2.0)).sqrt();
+        let inside = half + half * distance / (one + distance.squared()).sqrt();
+        let exit = smooth_cosine(e1, self.interface.outside(axis).z).min(one);
+        let crossings = (one - schlick(self.f0, wo.z.gray())) * (one - schlick(self.f0, exit));
         let lobe = estimated_integral(e1, axis.z.max(critical)) * inside;
         // In `paper` the lobe is measured inside, where directions are denser than outside.
-        let density = if self.is_paper { T::new(1.0) / channel.compression } else { T::new(1.0) };
-        let share = T::new(1.0 / 3.0) * self.scale_transmission * channel.base * crossings * lobe * density;
-        T::select(b.z.gt(zero) & b.dot(self.base_normal).gt(zero), share, zero)
+        let density = if self.is_paper {
+            one / self.compression
+        } else {
+            one
+        };
+        let scale = (self.scale_transmission * T::new(1.0 / 3.0)).gray();
+        let shares = scale * self.base * crossings * lobe * density;
+        T::Rgb::select(b.z.gt(zero) & b.dot(n1).gt(zero), shares, zero)
     }
 }

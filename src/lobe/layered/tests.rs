@@ -3,12 +3,16 @@
 use super::super::scattering::Model;
 use super::super::values::Values;
 use super::*;
-use crate::math::Vec3;
+use crate::math::{Element, Vec3};
 
 /// A direction from its polar angle and azimuth in degrees.
 fn direction(theta: f64, phi: f64) -> Vec3<f64> {
     let (theta, phi) = (theta.to_radians(), phi.to_radians());
-    Vec3::new(theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos())
+    Vec3::new(
+        theta.sin() * phi.cos(),
+        theta.sin() * phi.sin(),
+        theta.cos(),
+    )
 }
 
 struct Case {
@@ -30,14 +34,17 @@ fn terms(case: &Case) -> [[f64; 3]; 4] {
     values.set_numbers(BASE_NORMAL, direction(case.n1.0, case.n1.1).to_array());
     values.set_choice(VARIANT, VARIANT_PAPER);
     let prepared = Layered::prepare::<f64>(&values);
-    let (wo, wi) = (direction(case.wo.0, case.wo.1), direction(case.wi.0, case.wi.1));
+    let (wo, wi) = (
+        direction(case.wo.0, case.wo.1),
+        direction(case.wi.0, case.wi.1),
+    );
     let shapes = prepared.shapes(wo, wi);
-    let terms: [_; 3] = std::array::from_fn(|c| prepared.terms_of(c, wo, wi, &shapes));
+    let terms = prepared.terms(wo, wi, &shapes);
     [
-        terms.map(|terms| terms.reflected),
-        terms.map(|terms| terms.transmitted),
-        terms.map(|terms| terms.turns * std::f64::consts::PI),
-        terms.map(|terms| terms.interference()),
+        f64::channels(terms.reflected),
+        f64::channels(terms.transmitted),
+        f64::channels(terms.turns).map(|turns| turns * std::f64::consts::PI),
+        f64::channels(terms.interference()),
     ]
 }
 
@@ -45,7 +52,12 @@ fn assert_close(found: [f64; 3], expected: [f64; 3], what: &str) {
     for c in 0..3 {
         // The expected numbers carry 9 or 10 digits.
         let error = (found[c] / expected[c] - 1.0).abs();
-        assert!(error < 1e-6, "{what}[{c}]: {} instead of {}", found[c], expected[c]);
+        assert!(
+            error < 1e-6,
+            "{what}[{c}]: {} instead of {}",
+            found[c],
+            expected[c]
+        );
     }
 }
 
@@ -129,7 +141,7 @@ fn thickness_gives_the_reference_diffuse_coefficient() {
         let mut values = Values::defaults(&Layered::INFO);
         values.set_numbers(ETA, eta);
         values.set_numbers(THICKNESS_NM, [thickness; 3]);
-        Layered::prepare::<f64>(&values).rho_d()
+        f64::channels(Layered::prepare::<f64>(&values).rho_d)
     };
     let old_metal = [1.506945410, 1.480631200, 1.450620590];
     assert_close(rho_d([1.5; 3], 15.0), old_metal, "rho_d");

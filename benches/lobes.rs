@@ -1,0 +1,81 @@
+//! ns per call of every model in single precision, through the Rust interface: the value alone,
+//! value and density, a sample. The inputs are a million random pairs of directions, so that neither
+//! caches nor branch predictors have seen them. The baseline, plain C++, is in `cpp_tests/bench`.
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use glam::Vec3;
+use pellicle::lobe::models;
+use pellicle::{Bsdf, Description};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use std::hint::black_box;
+use std::time::Duration;
+
+const INPUTS: usize = 1 << 20;
+/// Pairs per timed iteration.
+const CHUNK: usize = 1 << 14;
+
+fn direction(rng: &mut Pcg64Mcg) -> Vec3 {
+    let z: f32 = rng.random_range(0.01..1.0);
+    let phi = rng.random_range(0.0..std::f32::consts::TAU);
+    let radius = (1.0 - z * z).sqrt();
+    Vec3::new(radius * phi.cos(), radius * phi.sin(), z)
+}
+
+/// Hands out the inputs chunk by chunk, round and round.
+struct Inputs {
+    pairs: Vec<(Vec3, Vec3)>,
+    next: usize,
+}
+
+impl Inputs {
+    fn new() -> Self {
+        let mut rng = Pcg64Mcg::seed_from_u64(7);
+        let pairs = (0..INPUTS)
+            .map(|_| (direction(&mut rng), direction(&mut rng)))
+            .collect();
+        Self { pairs, next: 0 }
+    }
+
+    fn chunk(&mut self) -> Vec<(Vec3, Vec3)> {
+        let start = self.next;
+        self.next = (self.next + CHUNK) % INPUTS;
+        self.pairs[start..start + CHUNK].to_vec()
+    }
+}
+
+fn bench(criterion: &mut Criterion) {
+    let mut inputs = Inputs::new();
+    for entry in models() {
+        let bsdf = Bsdf::<f32>::new(&Description::new(entry.name())).unwrap();
+        let mut group = criterion.benchmark_group(entry.name());
+        group.throughput(Throughput::Elements(CHUNK as u64));
+        group
+            .sample_size(20)
+            .measurement_time(Duration::from_secs(1));
+        group.warm_up_time(Duration::from_millis(300));
+        let mut run = |name: &str, call: &dyn Fn(Vec3, Vec3)| {
+            group.bench_function(name, |bencher| {
+                bencher.iter_batched(
+                    || inputs.chunk(),
+                    |chunk| chunk.into_iter().for_each(|(wo, wi)| call(wo, wi)),
+                    BatchSize::LargeInput,
+                );
+            });
+        };
+        run("eval", &|wo, wi| {
+            black_box(bsdf.eval(wo, wi, None));
+        });
+        run("eval_pdf", &|wo, wi| {
+            black_box(bsdf.eval_pdf(wo, wi, None));
+        });
+        // A direction's components in [0, 1) do as uniform numbers here.
+        run("sample", &|wo, wi| {
+            black_box(bsdf.sample(wo, wi.abs().min(Vec3::splat(0.999_999)), None));
+        });
+        group.finish();
+    }
+}
+
+criterion_group!(benches, bench);
+criterion_main!(benches);

@@ -1,0 +1,191 @@
+//! Red, green and blue in the four lanes of an SSE2 register, which every x86-64 processor has. The
+//! fourth lane repeats blue, so that it never holds a number that is slow or raises a flag.
+
+#![allow(unsafe_code)]
+
+use super::super::elementary::{self, Single};
+use super::super::{Element, Mask, Real};
+use std::arch::x86_64::*;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// An expression of SSE2 intrinsics. Only those on values are used, none that takes a pointer; they
+/// are unsafe to call merely because other processors might lack the instructions.
+macro_rules! sse2 {
+    ($expression:expr) => {
+        // SAFETY: SSE2 is part of the x86-64 baseline, for which alone this file is compiled.
+        unsafe { $expression }
+    };
+}
+
+/// Three channels in single precision.
+#[derive(Clone, Copy, Debug)]
+pub struct RgbLanes(__m128);
+
+/// A truth value per lane: all bits set or none.
+#[derive(Clone, Copy, Debug)]
+pub struct RgbMask(__m128);
+
+impl Element for f32 {
+    type Rgb = RgbLanes;
+    #[inline(always)]
+    fn rgb([r, g, b]: [f32; 3]) -> RgbLanes {
+        RgbLanes(sse2!(_mm_setr_ps(r, g, b, b)))
+    }
+    #[inline(always)]
+    fn gray(self) -> RgbLanes {
+        RgbLanes(sse2!(_mm_set1_ps(self)))
+    }
+    #[inline(always)]
+    fn channels(rgb: RgbLanes) -> [f32; 3] {
+        let lane = |lanes| sse2!(_mm_cvtss_f32(lanes));
+        let green = sse2!(_mm_shuffle_ps::<0b01_01_01_01>(rgb.0, rgb.0));
+        let blue = sse2!(_mm_movehl_ps(rgb.0, rgb.0));
+        [lane(rgb.0), lane(green), lane(blue)]
+    }
+}
+
+macro_rules! operator {
+    ($type:ident, $trait:ident, $method:ident, $intrinsic:ident) => {
+        impl $trait for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(sse2!($intrinsic(self.0, other.0)))
+            }
+        }
+    };
+}
+
+operator!(RgbLanes, Add, add, _mm_add_ps);
+operator!(RgbLanes, Sub, sub, _mm_sub_ps);
+operator!(RgbLanes, Mul, mul, _mm_mul_ps);
+operator!(RgbLanes, Div, div, _mm_div_ps);
+operator!(RgbMask, BitAnd, bitand, _mm_and_ps);
+operator!(RgbMask, BitOr, bitor, _mm_or_ps);
+
+impl Neg for RgbLanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(sse2!(_mm_xor_ps(self.0, _mm_set1_ps(-0.0))))
+    }
+}
+
+impl Not for RgbMask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(sse2!(_mm_xor_ps(
+            self.0,
+            _mm_castsi128_ps(_mm_set1_epi32(-1))
+        )))
+    }
+}
+
+impl Mask for RgbMask {
+    #[inline(always)]
+    fn any(self) -> bool {
+        sse2!(_mm_movemask_ps(self.0) != 0)
+    }
+}
+
+impl Real for RgbLanes {
+    type Mask = RgbMask;
+
+    #[inline(always)]
+    fn new(value: f64) -> Self {
+        Self(sse2!(_mm_set1_ps(value as f32)))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(sse2!(_mm_sqrt_ps(self.0)))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(sse2!(_mm_andnot_ps(_mm_set1_ps(-0.0), self.0)))
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(sse2!(_mm_min_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(sse2!(_mm_max_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn round(self) -> Self {
+        // As for f32: 2^23 of the same sign, where all floats are whole.
+        let whole = Self::new(8_388_608.0);
+        let sign = sse2!(_mm_and_ps(self.0, _mm_set1_ps(-0.0)));
+        let shift = sse2!(Self(_mm_or_ps(whole.0, sign)));
+        Self::select(self.abs().lt(whole), (self + shift) - shift, self)
+    }
+    #[inline(always)]
+    fn is_finite(self) -> RgbMask {
+        self.abs().lt(Self::new(f64::INFINITY))
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> RgbMask {
+        RgbMask(sse2!(_mm_cmplt_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> RgbMask {
+        RgbMask(sse2!(_mm_cmple_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn equals(self, other: Self) -> RgbMask {
+        RgbMask(sse2!(_mm_cmpeq_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn select(mask: RgbMask, yes: Self, no: Self) -> Self {
+        Self(sse2!(_mm_or_ps(
+            _mm_and_ps(mask.0, yes.0),
+            _mm_andnot_ps(mask.0, no.0)
+        )))
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        elementary::exp(self)
+    }
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        elementary::exp_m1(self)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        elementary::ln(self)
+    }
+    #[inline(always)]
+    fn ln_1p(self) -> Self {
+        elementary::ln_1p(self)
+    }
+    #[inline(always)]
+    fn cos_turns(self) -> Self {
+        elementary::cos_turns(self)
+    }
+    #[inline(always)]
+    fn sin_turns(self) -> Self {
+        elementary::sin_turns(self)
+    }
+}
+
+impl Single for RgbLanes {
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        let sqrt_half = sse2!(_mm_set1_epi32(elementary::SQRT_HALF_BITS));
+        let above = sse2!(_mm_sub_epi32(_mm_castps_si128(self.0), sqrt_half));
+        let fraction = sse2!(_mm_and_si128(above, _mm_set1_epi32(0x007f_ffff)));
+        let mantissa = sse2!(_mm_castsi128_ps(_mm_add_epi32(fraction, sqrt_half)));
+        (
+            Self(mantissa),
+            Self(sse2!(_mm_cvtepi32_ps(_mm_srai_epi32::<23>(above)))),
+        )
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        let shifted = self + Self::new(elementary::EXPONENT_SHIFT);
+        Self(sse2!(_mm_castsi128_ps(_mm_slli_epi32::<23>(
+            _mm_castps_si128(shifted.0)
+        ))))
+    }
+}

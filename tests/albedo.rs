@@ -1,0 +1,78 @@
+//! The albedo that the library gives against adaptive integration of its double-precision value.
+
+mod common;
+#[path = "common/quadrature.rs"]
+mod quadrature;
+
+use common::degrees;
+use pellicle::{Bsdf, Description};
+
+/// Difference in the worst channel, relative to the greatest channel.
+fn error(description: &Description, theta: f64) -> f64 {
+    let wo = degrees(theta, 25.0);
+    let double: Bsdf<f64> = Bsdf::new(description).unwrap();
+    let truth = quadrature::over_hemisphere(&|wi| double.eval(wo, wi, None), 1e-5);
+    let single: Bsdf<f32> = Bsdf::new(description).unwrap();
+    let found = single.albedo(wo.as_vec3(), None);
+    let scale = truth.into_iter().fold(0.0, f64::max);
+    let differences = (0..3).map(|c| (f64::from(found[c]) - truth[c]).abs() / scale);
+    differences.fold(0.0, f64::max)
+}
+
+fn assert_worst(descriptions: &[Description], bound: f64) {
+    let mut worst = 0.0;
+    for description in descriptions {
+        for theta in [0.0, 30.0, 60.0, 80.0, 89.0] {
+            let error = error(description, theta);
+            println!("{error:.2e} at {theta} degrees: {description:?}");
+            worst = f64::max(worst, error);
+        }
+    }
+    println!("worst {worst:.2e}, stated {bound:.0e}");
+    assert!(worst <= bound, "{worst}");
+}
+
+#[test]
+fn lambert_is_exact() {
+    assert_worst(
+        &[Description::new("lambert").set("reflectance", &[0.1, 0.5, 1.0])],
+        1e-6,
+    );
+}
+
+#[test]
+fn phong_is_within_its_bound() {
+    let descriptions = [0.0, 1.0, 50.0, 1000.0].map(|exponent| {
+        Description::new("phong")
+            .set("exponent", &[exponent])
+            .set("specular", &[0.1, 0.3, 0.5])
+    });
+    assert_worst(&descriptions, 2e-3);
+}
+
+/// Both variants, broad and narrow lobes, parallel and deviated boundaries.
+#[test]
+fn layered_is_within_its_bound() {
+    let mut descriptions = Vec::new();
+    for (variant, weights) in [("paper", [1.0, 0.5]), ("energy", [0.7, 0.3])] {
+        for exponents in [[0.0, 0.0], [3.0, 10.0], [90.0, 170.0], [1000.0, 1000.0]] {
+            for (deviation, thickness) in [(0.0, 70.0), (10.0, 300.0), (30.0, 3000.0)] {
+                descriptions.push(
+                    Description::new("layered")
+                        .set("eta", &[1.4, 1.5, 1.7])
+                        .set("exponent_reflection", &exponents[..1])
+                        .set("exponent_transmission", &exponents[1..])
+                        .set("thickness_nm", &[thickness])
+                        .set(
+                            "base_normal",
+                            &degrees(deviation, 70.0).as_vec3().to_array(),
+                        )
+                        .set("specular_weight", &weights[..1])
+                        .set("diffuse_weight", &weights[1..])
+                        .choose("variant", variant),
+                );
+            }
+        }
+    }
+    assert_worst(&descriptions, 2e-3);
+}

@@ -1,0 +1,225 @@
+//! sample() against pdf(): Pearson's chi-square test, per lobe and for the mixture.
+//!
+//! The single-precision samples are counted on a grid of cells of equal solid angle; what each cell
+//! should hold is integrated from the double-precision density. Samples that are no direction form
+//! a cell of their own, whose share is what the density lacks from 1. Cells that expect fewer than 5
+//! are pooled; the level is Sidak-corrected for the number of tests.
+
+mod common;
+#[path = "common/quadrature.rs"]
+mod quadrature;
+
+use common::{degrees, rng, uniforms};
+use glam::{DVec3, Vec3};
+use pellicle::lobe::MAX_LOBES;
+use pellicle::{Bsdf, Description};
+use quadrature::Patch;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+const ROWS: usize = 24;
+const COLUMNS: usize = 48;
+const SAMPLES: usize = 100_000;
+/// Probability that the whole file fails although nothing is wrong.
+const LEVEL: f64 = 1e-3;
+const INCIDENCES: [f64; 5] = [0.0, 30.0, 60.0, 80.0, 89.0];
+
+/// Counts or expectations per lobe and cell; the last cell is for no direction.
+type Histogram = Vec<[f64; MAX_LOBES]>;
+
+fn observed(bsdf: &Bsdf, wo: DVec3, seed: u64) -> Histogram {
+    let mut counts = vec![[0.0; MAX_LOBES]; ROWS * COLUMNS + 1];
+    let mut rng = rng(seed);
+    for _ in 0..SAMPLES {
+        let sample = bsdf.sample(wo.as_vec3(), Vec3::from(uniforms(&mut rng)), None);
+        if sample.pdf == 0.0 {
+            // Which lobe found no direction is not told.
+            counts[ROWS * COLUMNS][0] += 1.0;
+            continue;
+        }
+        let wi = sample.wi.as_dvec3();
+        let turn = wi.y.atan2(wi.x) / std::f64::consts::TAU;
+        let row = ((wi.z * ROWS as f64) as usize).min(ROWS - 1);
+        let column = (((turn + 1.0) % 1.0) * COLUMNS as f64) as usize % COLUMNS;
+        counts[row * COLUMNS + column][sample.lobe] += 1.0;
+    }
+    counts
+}
+
+/// Integrals of probability times density of each lobe.
+fn expected(bsdf: &Bsdf<f64>, wo: DVec3) -> Histogram {
+    let density = |wi: DVec3| {
+        let (selection, densities) = bsdf.lobes(wo, wi, None);
+        std::array::from_fn::<f64, MAX_LOBES, _>(|k| selection[k] * densities[k])
+    };
+    let mut cells = Vec::new();
+    let mut missing = 1.0;
+    for (i, j) in (0..ROWS * COLUMNS).map(|n| (n / COLUMNS, n % COLUMNS)) {
+        let share = Patch::cell(i, j, ROWS, COLUMNS).integrate(&density, 1e-6, 9);
+        missing -= share.iter().sum::<f64>();
+        cells.push(share.map(|share| share * SAMPLES as f64));
+    }
+    assert!(
+        missing > -1e-4,
+        "the density integrates to {}",
+        1.0 - missing
+    );
+    let mut none = [0.0; MAX_LOBES];
+    none[0] = missing.max(0.0) * SAMPLES as f64;
+    cells.push(none);
+    cells
+}
+
+/// The probability of a statistic at least this bad if both come from one distribution.
+fn p_value(observed: &[f64], expected: &[f64]) -> f64 {
+    let (mut statistic, mut cells) = (0.0, 0);
+    let (mut pooled_observed, mut pooled_expected) = (0.0, 0.0);
+    for (found, expected) in observed.iter().zip(expected) {
+        if *expected < 5.0 {
+            pooled_observed += found;
+            pooled_expected += expected;
+        } else {
+            statistic += (found - expected).powi(2) / expected;
+            cells += 1;
+        }
+    }
+    if pooled_expected >= 5.0 {
+        statistic += (pooled_observed - pooled_expected).powi(2) / pooled_expected;
+        cells += 1;
+    } else if pooled_observed > 25.0 + pooled_expected {
+        return 0.0; // samples where there should be none
+    }
+    if cells < 2 {
+        return 1.0;
+    }
+    ChiSquared::new(f64::from(cells - 1)).unwrap().sf(statistic)
+}
+
+fn column(histogram: &Histogram, lobe: usize) -> Vec<f64> {
+    // The cell for no direction belongs to the mixture alone.
+    histogram[..ROWS * COLUMNS]
+        .iter()
+        .map(|cell| cell[lobe])
+        .collect()
+}
+
+fn mixture(histogram: &Histogram) -> Vec<f64> {
+    histogram.iter().map(|cell| cell.iter().sum()).collect()
+}
+
+/// The p-value of the mixture and of each lobe that is ever chosen.
+fn p_values(samples: &Histogram, density: &Histogram) -> Vec<f64> {
+    let mut values = vec![p_value(&mixture(samples), &mixture(density))];
+    for lobe in 0..MAX_LOBES {
+        let expected = column(density, lobe);
+        let total: f64 = expected.iter().sum();
+        if total > 100.0 {
+            // How many samples a lobe gets is settled here, to six standard deviations; then only
+            // their distribution is compared.
+            let found = column(samples, lobe);
+            let scale = found.iter().sum::<f64>() / total;
+            if (scale - 1.0).abs() > 6.0 / total.sqrt() {
+                values.push(0.0);
+            }
+            let expected: Vec<f64> = expected.iter().map(|expected| expected * scale).collect();
+            values.push(p_value(&found, &expected));
+        }
+    }
+    values
+}
+
+fn assert_agreement(descriptions: &[Description]) {
+    let mut worst = (1.0, String::new());
+    let mut tests = 0;
+    for (seed, description) in descriptions.iter().enumerate() {
+        for theta in INCIDENCES {
+            let wo = degrees(theta, 40.0).as_vec3().as_dvec3();
+            let single = Bsdf::new(description).unwrap();
+            let double = Bsdf::new(description).unwrap();
+            let values = p_values(&observed(&single, wo, seed as u64), &expected(&double, wo));
+            for (test, p) in values.into_iter().enumerate() {
+                tests += 1;
+                if p < worst.0 {
+                    worst = (
+                        p,
+                        format!("test {test} at {theta} degrees: {description:?}"),
+                    );
+                }
+            }
+        }
+    }
+    let threshold = 1.0 - (1.0 - LEVEL).powf(1.0 / f64::from(tests));
+    println!(
+        "{tests} tests, least p {:.2e}, threshold {threshold:.2e}",
+        worst.0
+    );
+    assert!(
+        worst.0 > threshold,
+        "p = {:.3e} < {threshold:.3e}, {}",
+        worst.0,
+        worst.1
+    );
+}
+
+#[test]
+fn lambert_and_phong_sample_their_density() {
+    let mut descriptions = vec![Description::new("lambert")];
+    for exponent in [0.0, 1.0, 30.0, 1000.0] {
+        descriptions.push(Description::new("phong").set("exponent", &[exponent]));
+    }
+    assert_agreement(&descriptions);
+}
+
+fn layered(eta: &[f32], ambient_eta: f32, exponents: [f32; 2], deviation: f64) -> Description {
+    Description::new("layered")
+        .set("eta", eta)
+        .set("ambient_eta", &[ambient_eta])
+        .set("exponent_reflection", &exponents[..1])
+        .set("exponent_transmission", &exponents[1..])
+        .set(
+            "base_normal",
+            &degrees(deviation, 200.0).as_vec3().to_array(),
+        )
+        .set("specular_weight", &[0.8])
+        .set("diffuse_weight", &[0.2])
+}
+
+const EXPONENTS: [[f32; 2]; 4] = [[0.0, 0.0], [2.0, 9.0], [90.0, 170.0], [1000.0, 1000.0]];
+
+#[test]
+fn layered_samples_its_density() {
+    let mut descriptions = Vec::new();
+    for exponents in EXPONENTS {
+        for deviation in [0.0, 10.0, 35.0] {
+            descriptions.push(layered(&[1.4, 1.6, 1.8], 1.0, exponents, deviation));
+        }
+        let paper = layered(&[1.5; 3], 1.0, exponents, 14.0).choose("variant", "paper");
+        descriptions.push(paper);
+    }
+    assert_agreement(&descriptions);
+}
+
+/// A layer of lower index than the ambient: total reflection beyond the critical angle.
+#[test]
+fn layered_samples_its_density_under_total_reflection() {
+    let descriptions = EXPONENTS.map(|exponents| layered(&[1.2, 1.3, 1.4], 1.5, exponents, 10.0));
+    assert_agreement(&descriptions);
+}
+
+/// The test itself must be able to fail: a density that is a little wrong is found out.
+#[test]
+fn a_wrong_density_is_found_out() {
+    let wo = degrees(30.0, 40.0).as_vec3().as_dvec3();
+    let right = layered(&[1.5; 3], 1.0, [50.0, 50.0], 10.0);
+    let samples = observed(&Bsdf::new(&right).unwrap(), wo, 0);
+    let wrong = [
+        layered(&[1.5; 3], 1.0, [65.0, 50.0], 10.0),
+        layered(&[1.5; 3], 1.0, [50.0, 60.0], 10.0),
+        layered(&[1.5; 3], 1.0, [50.0, 50.0], 10.5),
+        layered(&[1.51, 1.5, 1.49], 1.0, [50.0, 50.0], 11.0),
+    ];
+    for wrong in wrong {
+        let values = p_values(&samples, &expected(&Bsdf::new(&wrong).unwrap(), wo));
+        let least = values.into_iter().fold(1.0, f64::min);
+        assert!(least < 1e-9, "p = {least} for {wrong:?}");
+    }
+}

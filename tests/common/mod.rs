@@ -1,0 +1,133 @@
+//! What the test programs share: directions, random numbers, and descriptions drawn from the registry.
+
+#![allow(dead_code)] // each test program uses a part
+
+use glam::{DVec3, Vec3};
+use pellicle::lobe::{Entry, Exception, ParamKind};
+use pellicle::{Bsdf, Description};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+pub fn rng(seed: u64) -> Pcg64Mcg {
+    Pcg64Mcg::seed_from_u64(seed)
+}
+
+/// A direction from polar angle and azimuth in degrees.
+pub fn degrees(theta: f64, phi: f64) -> DVec3 {
+    let (theta, phi) = (theta.to_radians(), phi.to_radians());
+    DVec3::new(
+        theta.sin() * phi.cos(),
+        theta.sin() * phi.sin(),
+        theta.cos(),
+    )
+}
+
+/// A direction rounded to single precision, in both precisions: the same numbers, so that two
+/// instances can be compared.
+pub fn rounded(w: DVec3) -> (Vec3, DVec3) {
+    let single = w.as_vec3();
+    (single, single.as_dvec3())
+}
+
+/// Uniform over the upper hemisphere.
+pub fn hemisphere(rng: &mut impl Rng) -> DVec3 {
+    let z: f64 = 1.0 - rng.random::<f64>();
+    let phi = std::f64::consts::TAU * rng.random::<f64>();
+    let radius = (1.0 - z * z).sqrt();
+    DVec3::new(radius * phi.cos(), radius * phi.sin(), z)
+}
+
+/// Three uniform numbers in [0, 1).
+pub fn uniforms(rng: &mut impl Rng) -> [f32; 3] {
+    // 24 bits: every value is representable and below 1.
+    std::array::from_fn(|_| (rng.random::<u32>() >> 8) as f32 / 16_777_216.0)
+}
+
+/// A number in [min, max]: half of the time spread evenly, half by its logarithm, so that wide
+/// ranges are seen at every scale; now and then an end itself.
+fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
+    match rng.random_range(0..16) {
+        0 => min,
+        1 => max,
+        2..=8 => min + (max - min) * rng.random::<f32>(),
+        _ => min + ((max - min + 1.0).ln() * rng.random::<f32>()).exp_m1(),
+    }
+    .clamp(min, max)
+}
+
+/// A model with random parameters, all within their ranges.
+pub struct Drawn {
+    pub entry: &'static Entry,
+    pub description: Description,
+    choices: Vec<usize>,
+}
+
+impl Drawn {
+    /// Draws until the combination is valid too (weights that must not sum to more than 1).
+    pub fn new(entry: &'static Entry, rng: &mut impl Rng) -> Self {
+        loop {
+            let drawn = Self::candidate(entry, rng);
+            match Bsdf::<f32>::new(&drawn.description) {
+                Ok(_) => return drawn,
+                Err(error) => assert!(error.message.contains("exceeds 1"), "{error}"),
+            }
+        }
+    }
+
+    fn candidate(entry: &'static Entry, rng: &mut impl Rng) -> Self {
+        let mut description = Description::new(entry.name());
+        let mut choices = Vec::new();
+        for param in entry.info.params {
+            let mut choice = 0;
+            match param.kind {
+                ParamKind::Number {
+                    components,
+                    min,
+                    max,
+                    ..
+                } => {
+                    let equal = rng.random_bool(0.3);
+                    let first = number(rng, min, max);
+                    let numbers: Vec<f32> = (0..components)
+                        .map(|_| if equal { first } else { number(rng, min, max) })
+                        .collect();
+                    description = description.set(param.name(), &numbers);
+                }
+                ParamKind::Direction { min_z } => {
+                    let mut w = hemisphere(rng).as_vec3();
+                    if rng.random_bool(0.3) {
+                        w = Vec3::Z;
+                    }
+                    w.z = w.z.max(min_z * 1.01);
+                    description = description.set(param.name(), &w.to_array());
+                }
+                ParamKind::Choice { choices } => {
+                    choice = rng.random_range(0..choices.len());
+                    let name = choices[choice].to_str().unwrap();
+                    description = description.choose(param.name(), name);
+                }
+            }
+            choices.push(choice);
+        }
+        Self {
+            entry,
+            description,
+            choices,
+        }
+    }
+
+    /// Whether the model has declared that it breaks a law with these parameters.
+    pub fn is_excepted(&self, exception: &Option<Exception>) -> bool {
+        exception
+            .as_ref()
+            .is_some_and(|exception| self.choices[exception.param] == exception.choice)
+    }
+
+    pub fn single(&self) -> Bsdf<f32> {
+        Bsdf::new(&self.description).unwrap()
+    }
+
+    pub fn double(&self) -> Bsdf<f64> {
+        Bsdf::new(&self.description).unwrap()
+    }
+}

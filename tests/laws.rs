@@ -1,0 +1,296 @@
+//! The laws that every model obeys, tried over the whole registry with random parameters.
+//!
+//! A model that breaks a law says so in its own description; then the test asks the opposite, that
+//! the law is really broken, so that no exception outlives its reason.
+
+mod common;
+
+use common::{Drawn, hemisphere, rng, rounded, uniforms};
+use glam::{DVec3, Vec3};
+use pellicle::lobe::{Entry, Flags, models};
+use proptest::prelude::*;
+use rand::RngExt;
+
+/// Calls `law` with every model.
+fn for_every_model(seed: u64, law: impl Fn(&'static Entry, u64) -> Result<(), TestCaseError>) {
+    for entry in models() {
+        let mut runner = proptest::test_runner::TestRunner::new_with_rng(
+            ProptestConfig {
+                cases: 400,
+                failure_persistence: None,
+                ..ProptestConfig::default()
+            },
+            proptest::test_runner::TestRng::from_seed(
+                proptest::test_runner::RngAlgorithm::ChaCha,
+                &[seed as u8; 32],
+            ),
+        );
+        runner
+            .run(&any::<u64>(), |seed| law(entry, seed))
+            .unwrap_or_else(|error| panic!("{}: {error}", entry.name()));
+    }
+}
+
+/// Directions that single precision finds hard: at the horizon, at the pole, mirror images.
+fn hard_directions(rng: &mut impl rand::Rng) -> [Vec3; 2] {
+    let wo = hemisphere(rng);
+    let grazing = |phi: f64, z: f64| DVec3::new(phi.cos(), phi.sin(), z).normalize();
+    let phi = rng.random_range(0.0..std::f64::consts::TAU);
+    let pair = match rng.random_range(0..8) {
+        0 => [wo, DVec3::new(-wo.x, -wo.y, wo.z)],
+        1 => [DVec3::Z, wo],
+        2 => [DVec3::Z, DVec3::Z],
+        3 => [grazing(phi, 1e-3), grazing(phi + 3.14, 1e-3)],
+        4 => [grazing(phi, 1e-7), grazing(phi + 1.0, 1e-30)],
+        5 => [wo, wo],
+        6 => [wo, grazing(phi, 1e-20)],
+        _ => [wo, hemisphere(rng)],
+    };
+    pair.map(DVec3::as_vec3)
+}
+
+#[test]
+fn outputs_are_finite_and_not_negative() {
+    for_every_model(1, |entry, seed| {
+        let mut rng = rng(seed);
+        let drawn = Drawn::new(entry, &mut rng);
+        let bsdf = drawn.single();
+        for _ in 0..200 {
+            let [wo, wi] = hard_directions(&mut rng);
+            let (value, pdf) = bsdf.eval_pdf(wo, wi, None);
+            let sample = bsdf.sample(wo, Vec3::from(uniforms(&mut rng)), None);
+            let numbers = value
+                .into_iter()
+                .chain([pdf, sample.pdf])
+                .chain(sample.weight);
+            for number in numbers {
+                prop_assert!(
+                    number.is_finite() && number >= 0.0,
+                    "{:?} wo {wo:?} wi {wi:?}: value {value:?} pdf {pdf} sample {sample:?}",
+                    drawn.description
+                );
+            }
+        }
+        Ok(())
+    });
+}
+
+/// The greatest relative difference between value(wo, wi) wo.z and value(wi, wo) wi.z.
+fn reciprocity_error(drawn: &Drawn, seed: u64) -> f64 {
+    let mut rng = rng(seed);
+    let bsdf = drawn.double();
+    let differences = (0..100).flat_map(|_| {
+        let (wo, wi) = (hemisphere(&mut rng), hemisphere(&mut rng));
+        let there = bsdf.eval(wo, wi, None).map(|value| value * wo.z);
+        let back = bsdf.eval(wi, wo, None).map(|value| value * wi.z);
+        std::array::from_fn::<f64, 3, _>(|c| {
+            (there[c] - back[c]).abs() / there[c].max(back[c]).max(1e-12)
+        })
+    });
+    differences.fold(0.0, f64::max)
+}
+
+#[test]
+fn models_are_reciprocal() {
+    for_every_model(2, |entry, seed| {
+        let drawn = Drawn::new(entry, &mut rng(seed));
+        if !drawn.is_excepted(&entry.info.not_reciprocal) {
+            let error = reciprocity_error(&drawn, seed);
+            prop_assert!(error < 1e-9, "{:?}: {error}", drawn.description);
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn models_conserve_energy() {
+    for_every_model(3, |entry, seed| {
+        let mut rng = rng(seed);
+        let drawn = Drawn::new(entry, &mut rng);
+        if drawn.is_excepted(&entry.info.not_conserving) {
+            return Ok(());
+        }
+        let bsdf = drawn.double();
+        for wo in [DVec3::Z, hemisphere(&mut rng), common::degrees(89.0, 10.0)] {
+            let albedo = bsdf.albedo(wo, None);
+            // 2e-3: what quadrature may be wrong by, see tests/albedo.rs.
+            let bound = albedo
+                .into_iter()
+                .all(|albedo| (0.0..=1.002).contains(&albedo));
+            prop_assert!(bound, "{:?} wo {wo:?}: {albedo:?}", drawn.description);
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn declared_exceptions_are_real() {
+    for entry in models() {
+        let info = entry.info;
+        let drawn: Vec<Drawn> = (0..200)
+            .map(|seed| Drawn::new(entry, &mut rng(seed)))
+            .collect();
+        if info.not_reciprocal.is_some() {
+            let broken = drawn.iter().any(|drawn| {
+                drawn.is_excepted(&info.not_reciprocal) && reciprocity_error(drawn, 5) > 1e-3
+            });
+            assert!(
+                broken,
+                "{} is declared not reciprocal, but is",
+                entry.name()
+            );
+        }
+        if info.not_conserving.is_some() {
+            let broken = drawn.iter().any(|drawn| {
+                let albedo = drawn.double().albedo(DVec3::Z, None);
+                drawn.is_excepted(&info.not_conserving) && albedo.into_iter().any(|a| a > 1.01)
+            });
+            assert!(
+                broken,
+                "{} is declared not to conserve energy, but does",
+                entry.name()
+            );
+        }
+    }
+}
+
+#[test]
+fn weight_is_value_over_pdf() {
+    for_every_model(4, |entry, seed| {
+        let mut rng = rng(seed);
+        let drawn = Drawn::new(entry, &mut rng);
+        let bsdf = drawn.single();
+        for _ in 0..100 {
+            let wo = hemisphere(&mut rng).as_vec3();
+            let sample = bsdf.sample(wo, Vec3::from(uniforms(&mut rng)), None);
+            if sample.pdf == 0.0 {
+                prop_assert_eq!(sample.weight, [0.0; 3]);
+                continue;
+            }
+            prop_assert!((sample.wi.length() - 1.0).abs() < 1e-3, "{sample:?}");
+            prop_assert!(entry.info.flags().contains(sample.flags), "{sample:?}");
+            let (value, pdf) = bsdf.eval_pdf(wo, sample.wi, None);
+            prop_assert_eq!(pdf, sample.pdf);
+            for c in 0..3 {
+                let difference = (sample.weight[c] * pdf - value[c]).abs();
+                prop_assert!(
+                    difference <= 1e-6 * value[c] + f32::MIN_POSITIVE,
+                    "{sample:?} {value:?}"
+                );
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn weights_add_up_to_the_albedo() {
+    const COUNT: usize = 20_000;
+    for entry in models() {
+        for seed in 0..20 {
+            let mut rng = rng(seed);
+            let drawn = Drawn::new(entry, &mut rng);
+            let bsdf = drawn.single();
+            let wo = hemisphere(&mut rng).as_vec3();
+            let albedo = bsdf.albedo(wo, None);
+            let (mut sum, mut squares) = ([0.0; 3], [0.0; 3]);
+            for _ in 0..COUNT {
+                let weight = bsdf.sample(wo, Vec3::from(uniforms(&mut rng)), None).weight;
+                for c in 0..3 {
+                    sum[c] += f64::from(weight[c]);
+                    squares[c] += f64::from(weight[c]).powi(2);
+                }
+            }
+            for c in 0..3 {
+                let mean = sum[c] / COUNT as f64;
+                let variance = (squares[c] / COUNT as f64 - mean * mean).max(0.0);
+                // 180 comparisons: 5 standard errors are exceeded by chance once in 10,000 runs.
+                let allowed = 5.0 * (variance / COUNT as f64).sqrt() + 2e-3 * mean + 1e-6;
+                let difference = (mean - f64::from(albedo[c])).abs();
+                assert!(
+                    difference <= allowed,
+                    "{:?} wo {wo}: mean {mean}, albedo {}, allowed {allowed}",
+                    drawn.description,
+                    albedo[c]
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn one_sided_models_are_black_at_and_below_the_horizon() {
+    for_every_model(6, |entry, seed| {
+        if entry.info.flags().contains(Flags::TRANSMISSION) {
+            return Ok(());
+        }
+        let mut rng = rng(seed);
+        let bsdf = Drawn::new(entry, &mut rng).single();
+        let above = hemisphere(&mut rng).as_vec3();
+        for below in [-above, Vec3::X, Vec3::new(0.6, -0.8, 0.0), Vec3::NEG_Z] {
+            for (wo, wi) in [(above, below), (below, above), (below, below)] {
+                prop_assert_eq!(bsdf.eval_pdf(wo, wi, None), ([0.0; 3], 0.0));
+            }
+            let sample = bsdf.sample(below, Vec3::from(uniforms(&mut rng)), None);
+            prop_assert_eq!((sample.pdf, sample.weight), (0.0, [0.0; 3]));
+            prop_assert_eq!(bsdf.albedo(below, None), [0.0; 3]);
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn single_precision_follows_double() {
+    for_every_model(7, |entry, seed| {
+        let mut rng = rng(seed);
+        let drawn = Drawn::new(entry, &mut rng);
+        let (single, double) = (drawn.single(), drawn.double());
+        for _ in 0..100 {
+            let (wo, wo_double) = rounded(hemisphere(&mut rng));
+            let (mut wi, mut wi_double) = rounded(hemisphere(&mut rng));
+            if rng.random_bool(0.7) {
+                // Where the light is: random directions miss the narrow lobes.
+                let sample = single.sample(wo, Vec3::from(uniforms(&mut rng)), None);
+                if sample.pdf > 0.0 {
+                    (wi, wi_double) = rounded(sample.wi.as_dvec3());
+                }
+            }
+            let (value, pdf) = single.eval_pdf(wo, wi, None);
+            let (true_value, true_pdf) = double.eval_pdf(wo_double, wi_double, None);
+            // The density bounds every term before interference cancels some of them, so it is the
+            // scale on which rounding errors are made. 5e-3: exponents and thicknesses up to 1e5.
+            let allowed = |truth: f64| 5e-3 * (truth + true_pdf) + 1e-30;
+            for c in 0..3 {
+                let error = (f64::from(value[c]) - true_value[c]).abs();
+                prop_assert!(
+                    error <= allowed(true_value[c]),
+                    "{:?} wo {wo} wi {wi}: {value:?} {true_value:?} pdf {true_pdf}",
+                    drawn.description
+                );
+            }
+            let error = (f64::from(pdf) - true_pdf).abs();
+            prop_assert!(
+                error <= allowed(true_pdf),
+                "{:?} {pdf} {true_pdf}",
+                drawn.description
+            );
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn registry_fits_the_interface() {
+    for entry in models() {
+        assert!(entry.info.lobes.len() <= pellicle::lobe::MAX_LOBES);
+        for param in entry.info.params {
+            if let pellicle::lobe::ParamKind::Choice { choices } = &param.kind {
+                assert!(
+                    choices.len() < 8,
+                    "{}: PellicleModelParam::choices is too short",
+                    param.name()
+                );
+            }
+        }
+    }
+}
