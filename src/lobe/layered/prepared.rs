@@ -199,6 +199,6 @@ impl<T: Element> Prepared<T> {
 }
 
 /// T_d = 80/21 r0 r1 / (r1 + r0)^2: eq. 13, the complement of eq. 12.
-fn average_transmittance<T: Real>(r0: T, r1: T) -> T {
+pub(super) fn average_transmittance<T: Real>(r0: T, r1: T) -> T {
     T::new(80.0 / 21.0) * r0 * r1 / (r1 + r0).squared()
 }

@@ -148,3 +148,33 @@ fn thickness_gives_the_reference_diffuse_coefficient() {
     let colourful = [0.493054590, 0.451685610, 0.992987000];
     assert_close(rho_d([1.5, 1.6, 1.8], 92.5), colourful, "rho_d");
 }
+
+/// Mean of f over uniform values of its argument in (0, 1), by the midpoint rule.
+fn mean_over_unit(f: impl Fn(f64) -> f64) -> f64 {
+    const COUNT: u32 = 200_000;
+    (0..COUNT).map(|i| f((f64::from(i) + 0.5) / f64::from(COUNT))).sum::<f64>() / f64::from(COUNT)
+}
+
+/// Eq. 12 and 13 against their own definition: the cosine-weighted mean of Schlick's reflectance.
+#[test]
+fn the_mean_transmittance_is_the_mean_of_schlicks() {
+    for (r0, r1) in [(1.0, 1.5), (1.0, 1.3), (1.33, 1.5), (1.0, 4.0)] {
+        let f0 = crate::optics::normal_reflectance(r0, r1);
+        let mean = mean_over_unit(|z| 2.0 * z * crate::optics::schlick_transmittance(f0, z));
+        let closed = prepared::average_transmittance(r0, r1);
+        assert!((closed - mean).abs() < 1e-9, "{closed} {mean}");
+    }
+}
+
+/// Eq. 14, which the model passes over in favour of the normal direction (eq. 15): the formula is
+/// right, the paper's number for an index of 1.5 is not.
+#[test]
+fn the_mean_refracted_cosine_is_not_as_printed() {
+    let (r0, r1) = (1.0f64, 1.5f64);
+    let logarithm = ((r1 + r0) / (r1 - r0)).ln();
+    let printed = 0.25 * (logarithm * (r1 * r1 - r0 * r0) + 2.0 * r1 * r0) / (r1 * r0);
+    let interface = crate::optics::Interface::new(r0, r1);
+    let mean = mean_over_unit(|z| interface.inside(Vec3::new((1.0 - z * z).sqrt(), 0.0, z)).z);
+    assert!((printed - mean).abs() < 1e-9, "{printed} {mean}");
+    assert!((printed - 0.835).abs() < 5e-4, "{printed}");
+}

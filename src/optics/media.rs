@@ -1,0 +1,326 @@
+//! The media that are known by name, with their published optical constants.
+//!
+//! Metals, oxides, silicon and water are Chebyshev series fitted to measurements, good for
+//! 380-780 nm; beside each stands the greatest distance of the fit from its source. The others are
+//! the dispersion formulas of their sources. docs/media.md compares the metals with other figures.
+
+use super::Complex;
+
+/// Where the formulas hold, nm; outside they are held constant.
+const RANGE_NM: [f64; 2] = [380.0, 780.0];
+
+/// A medium with a name.
+#[derive(Debug)]
+pub struct Named {
+    /// The chemical formula, or the usual name.
+    pub name: &'static str,
+    /// Everyday names.
+    pub aliases: &'static [&'static str],
+    /// Who measured it.
+    pub source: &'static str,
+    formula: Formula,
+}
+
+/// A dispersion formula; wavelengths in its coefficients are micrometres unless they say nm.
+#[derive(Debug)]
+enum Formula {
+    /// sum c_j T_j(u), u = (lambda_nm - 580) / 200, for the index and for the extinction.
+    Chebyshev { eta: &'static [f64], k: &'static [f64] },
+    /// eta = 1.
+    Vacuum,
+    /// eta = 1 + sum b / (c - 1 / lambda^2): a gas.
+    Gas { terms: &'static [[f64; 2]] },
+    /// eta^2 = 1 + sum b lambda^2 / (lambda^2 - c).
+    Sellmeier { terms: &'static [[f64; 2]] },
+    /// eta = sum c_j / lambda_nm^(2 j).
+    CauchyNm { coefficients: [f64; 3] },
+}
+
+impl Named {
+    /// The medium of that name or alias, in any mix of upper and lower case.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        MEDIA.iter().find(|medium| {
+            let mut names = std::iter::once(&medium.name).chain(medium.aliases);
+            names.any(|known| known.eq_ignore_ascii_case(name))
+        })
+    }
+
+    /// Every medium, in the order of the table.
+    pub fn all() -> &'static [Self] {
+        &MEDIA
+    }
+
+    /// Whether it absorbs in the visible range.
+    pub fn absorbs(&self) -> bool {
+        matches!(self.formula, Formula::Chebyshev { k, .. } if !k.is_empty())
+    }
+
+    /// The complex index; constant outside 380-780 nm.
+    pub fn index(&self, wavelength_nm: f64) -> Complex<f64> {
+        let nm = wavelength_nm.clamp(RANGE_NM[0], RANGE_NM[1]);
+        let um_squared = (nm * 1e-3).powi(2);
+        let eta = match self.formula {
+            Formula::Chebyshev { eta, k } => {
+                let u = (nm - 580.0) / 200.0;
+                // A fit may dip below 0 where its source is 0.
+                return Complex::new(chebyshev(eta, u), chebyshev(k, u).max(0.0));
+            }
+            Formula::Vacuum => 1.0,
+            Formula::Gas { terms } => {
+                1.0 + terms.iter().map(|[b, c]| b / (c - 1.0 / um_squared)).sum::<f64>()
+            }
+            Formula::Sellmeier { terms } => {
+                let sum: f64 = terms.iter().map(|[b, c]| b * um_squared / (um_squared - c)).sum();
+                (1.0 + sum).sqrt()
+            }
+            Formula::CauchyNm { coefficients: [a, b, c] } => a + (b + c / nm.powi(2)) / nm.powi(2),
+        };
+        Complex::real(eta)
+    }
+}
+
+/// sum c_j T_j(u) by Clenshaw's recurrence (Clenshaw 1955).
+fn chebyshev(coefficients: &[f64], u: f64) -> f64 {
+    let (mut b1, mut b2) = (0.0, 0.0);
+    for c in coefficients.iter().skip(1).rev() {
+        (b1, b2) = (c + 2.0 * u * b1 - b2, b1);
+    }
+    coefficients.first().map_or(0.0, |c| c + u * b1 - b2)
+}
+
+#[rustfmt::skip] // one series per line
+static MEDIA: [Named; 24] = [
+    Named {
+        name: "vacuum",
+        aliases: &[],
+        source: "by definition",
+        formula: Formula::Vacuum,
+    },
+    Named {
+        name: "air",
+        aliases: &[],
+        source: "Ciddor 1996, eq. 1: dry, 15 C, 101325 Pa, 450 ppm CO2",
+        formula: Formula::Gas {
+            terms: &[[0.05792105, 238.0185], [0.00167917, 57.362]],
+        },
+    },
+    Named {
+        name: "Ag",
+        aliases: &["silver"],
+        source: "Johnson and Christy 1972",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.00544
+            eta: &[0.04480748, -0.00804158, -0.007688154, -0.002961201, 0.004618073, 0.001237058, -7.925399e-05, 0.0005952705, -0.00177756],
+            // max |error| of the fit 0.00877
+            k: &[3.746779, 1.754423, -0.1026199, 0.03125805, -0.009216683, 0.005793273, -0.007239824, 0.0013961, 0.0006750838],
+        },
+    },
+    Named {
+        name: "Au",
+        aliases: &["gold"],
+        source: "Johnson and Christy 1972",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.0456
+            eta: &[0.6656274, -0.7732196, 0.2299025, 0.1164108, -0.1242299, 0.02372207, 0.04250628, -0.03842943, 0.002031921, 0.02651436, -0.01320987, -0.006961663, 0.01841895],
+            // max |error| of the fit 0.0357
+            k: &[3.064514, 1.545331, 0.2936866, -0.2047149, 0.0003979773, 0.08697263, -0.04666656, -0.01213841, 0.0286293, -0.009972484, -0.01043148, 0.01654051, -0.006845173],
+        },
+    },
+    Named {
+        name: "Cu",
+        aliases: &["copper"],
+        source: "Johnson and Christy 1972",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.0357
+            eta: &[0.7431535, -0.6611251, 0.04692236, 0.1815876, 0.004012228, -0.09115298, 0.001731252, 0.04956156, -0.004986043, -0.0181757, -0.002610939, 0.01684922, 0.006983063],
+            // max |error| of the fit 0.0278
+            k: &[3.251297, 1.425466, 0.2769371, -0.01795775, -0.1282715, 0.008367487, 0.06812048, -0.01256685, -0.037972, 0.004007342, 0.0213176, -0.006299551, -0.01590911],
+        },
+    },
+    Named {
+        name: "Al",
+        aliases: &["aluminium", "aluminum"],
+        source: "Rakic 1995",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.00496
+            eta: &[1.350651, 1.090169, 0.2001123, 0.03064957, 0.002829857, -0.002110486, -0.0004339885, -0.001802501, -0.003834592],
+            // max |error| of the fit 0.0089
+            k: &[6.781266, 2.032816, -0.2154777, -0.07630372, -0.02871388, -0.006807793, -0.0001615045, -0.001675433, 0.001473319],
+        },
+    },
+    Named {
+        name: "Cr",
+        aliases: &["chromium", "chrome"],
+        source: "Johnson and Christy 1974",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.037
+            eta: &[2.752751, 0.576521, -0.3224293, 0.04963729, 0.1110782, -0.03476728, -0.02969545, 0.02182133, 0.007229789],
+            // max |error| of the fit 0.00652
+            k: &[3.221573, 0.2875841, -0.1259594, 0.08560957, -0.02257762, -0.02089637, 0.01702016, 0.004707269, -0.002960909],
+        },
+    },
+    Named {
+        name: "Ni",
+        aliases: &["nickel"],
+        source: "Johnson and Christy 1974",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.0197
+            eta: &[1.924813, 0.2345449, 0.003896532, -0.006336424, 0.02792121, -0.01134361, -0.005662555, -0.0001107191, 0.005150037],
+            // max |error| of the fit 0.00906
+            k: &[3.721538, 1.195681, -0.07639774, -0.01579359, -0.001956653, -0.001478047, 0.002265607, 0.0006340654, 0.001883591],
+        },
+    },
+    Named {
+        name: "Ti",
+        aliases: &["titanium"],
+        source: "Johnson and Christy 1974",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.017
+            eta: &[2.564625, 0.5126597, -0.02468647, 0.02835593, 0.000377963, 0.009018291, -0.005965703, 0.002889985, 0.005703246],
+            // max |error| of the fit 0.00612
+            k: &[3.508361, 0.6102358, -0.0433339, -0.07676042, 0.008933705, 0.006618012, -0.008448641, 0.002932391, 0.003807837],
+        },
+    },
+    Named {
+        name: "Fe",
+        aliases: &["iron"],
+        source: "Johnson and Christy 1974",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.0373
+            eta: &[2.701785, 0.3210887, -0.2126353, 0.07925398, 0.01484357, -0.002174751, -0.003926302, 0.01305884, 0.004183602],
+            // max |error| of the fit 0.0131
+            k: &[2.962422, 0.3758214, -0.04086767, 0.03490787, -0.01622174, -0.001144994, 0.001079975, -0.002949007, -0.001332938],
+        },
+    },
+    Named {
+        name: "Pt",
+        aliases: &["platinum"],
+        source: "Rakic 1998 (Brendel-Bormann)",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 5.83e-05
+            eta: &[2.206824, 0.5570253, 0.03490633, 0.0002284814, -0.005446339, 0.001074746, 0.0001167599, -0.0001171246, 3.199579e-05],
+            // max |error| of the fit 6.21e-05
+            k: &[3.844235, 1.084058, -0.04082769, -0.01109622, 0.0003257421, 0.001622997, -0.0005517376, 0.0001003113, -8.463376e-06],
+        },
+    },
+    Named {
+        name: "W",
+        aliases: &["tungsten"],
+        source: "Rakic 1998 (Brendel-Bormann)",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.000282
+            eta: &[3.473198, 0.2120232, -0.08603744, -0.03998443, 0.00334432, 0.005123972, -0.00172312, -5.480266e-05, 0.0002146446],
+            // max |error| of the fit 0.000199
+            k: &[2.70628, 0.142012, -0.05702831, 0.002071502, 0.01792626, -0.00344989, -0.0009885215, 0.0006848259, -5.871982e-05],
+        },
+    },
+    Named {
+        name: "Si",
+        aliases: &["silicon"],
+        source: "Aspnes and Studna 1983",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.0454
+            eta: &[4.407766, -1.0438, 0.5183414, -0.2583032, 0.1379362, -0.07341855, 0.04138698, -0.02098955, 0.01243336],
+            // max |error| of the fit 0.0833
+            k: &[0.1555326, -0.2534126, 0.1800497, -0.1181883, 0.08108508, -0.05275485, 0.03827946, -0.02259333, 0.01671708],
+        },
+    },
+    Named {
+        name: "TiO2",
+        aliases: &["titania", "rutile"],
+        source: "Devore 1951 (rutile ordinary ray; extrapolated below 430 nm)",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.0151
+            eta: &[2.706727, -0.2517091, 0.09786458, -0.03395233, 0.01252121],
+            k: &[],
+        },
+    },
+    Named {
+        name: "SiO2",
+        aliases: &["silica", "fused silica"],
+        source: "Malitson 1965",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 7.7e-05
+            eta: &[1.460773, -0.008805167, 0.00216192, -0.000539636, 0.0001279755],
+            k: &[],
+        },
+    },
+    Named {
+        name: "MgF2",
+        aliases: &["magnesium fluoride"],
+        source: "Dodge 1984 (ordinary)",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 3.81e-05
+            eta: &[1.378961, -0.004621244, 0.001136922, -0.0002789647, 6.505329e-05],
+            k: &[],
+        },
+    },
+    Named {
+        name: "Al2O3",
+        aliases: &["alumina", "sapphire"],
+        source: "Malitson and Dodge 1972 (ordinary)",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.000121
+            eta: &[1.771823, -0.01383877, 0.003419671, -0.000850144, 0.0002012746],
+            k: &[],
+        },
+    },
+    Named {
+        name: "H2O",
+        aliases: &["water"],
+        source: "Hale and Querry 1973",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.000426
+            eta: &[1.333843, -0.005093882, 0.001194522, -0.0001469069, -5.388921e-05],
+            k: &[],
+        },
+    },
+    Named {
+        name: "Fe2O3",
+        aliases: &["hematite", "rust"],
+        source: "Querry 1985 (ordinary)",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.0384
+            eta: &[3.001525, 0.03221953, -0.2793706, 0.1395952, -0.006641254, 0.003689269, -0.009340087, -0.01174988, 0.02941596],
+            // max |error| of the fit 0.0492
+            k: &[0.5117094, -0.6971802, 0.1934004, 0.06671685, -0.05247597, 0.01330017, -0.01872775, 0.03234064, 0.00301233],
+        },
+    },
+    Named {
+        name: "Fe3O4",
+        aliases: &["magnetite"],
+        source: "Querry 1985",
+        formula: Formula::Chebyshev {
+            // max |error| of the fit 0.00828
+            eta: &[2.369531, -0.06692886, 0.01724263, -0.02620072, -0.008112429, 0.008901204, -0.003161011, 0.004502562, -0.004502758],
+            // max |error| of the fit 0.00804
+            k: &[0.09851449, 0.03589261, -0.008340161, -0.02381151, 0.02149971, -0.003360614, 0.001007578, -0.002752486, -0.002670504],
+        },
+    },
+    Named {
+        name: "BK7",
+        aliases: &["N-BK7", "glass", "crown glass"],
+        source: "Schott 2014, optical glass data sheet N-BK7",
+        formula: Formula::Sellmeier {
+            terms: &[[1.03961212, 0.00600069867], [0.231792344, 0.0200179144], [1.01046945, 103.560653]],
+        },
+    },
+    Named {
+        name: "PMMA",
+        aliases: &["acrylic", "plexiglass"],
+        source: "Sultanova, Kasarova and Nikolov 2009, 20 C (one Sellmeier term fitted by Polyanskiy; extrapolated below 437 nm)",
+        formula: Formula::Sellmeier { terms: &[[1.1819, 0.011313]] },
+    },
+    Named {
+        name: "oil",
+        aliases: &["immersion oil"],
+        source: "Cargille Laboratories, data sheet of Immersion Oil Type B, 23 C (within ISO 8036)",
+        formula: Formula::CauchyNm { coefficients: [1.498304, 5.456721e3, 1.203987e8] },
+    },
+    Named {
+        name: "diamond",
+        aliases: &[],
+        source: "Peter 1923",
+        formula: Formula::Sellmeier { terms: &[[0.3306, 0.030625], [4.3356, 0.011236]] },
+    },
+];
