@@ -33,11 +33,19 @@ fn main() {
     }
     let header = out.join("pellicle.h");
     let mut text = Vec::new();
-    builder.generate().expect("cbindgen failed").write(&mut text);
+    builder
+        .generate()
+        .expect("cbindgen failed")
+        .write(&mut text);
     // Rust's customary heading reads better in C as a plain word.
-    let text = String::from_utf8(text).unwrap().replace("// # Safety\n//\n", "// Preconditions:\n");
+    let text = String::from_utf8(text)
+        .unwrap()
+        .replace("// # Safety\n//\n", "// Preconditions:\n");
     fs::write(&header, text).unwrap();
-    println!("cargo:rustc-env=PELLICLE_GENERATED_HEADER={}", header.display());
+    println!(
+        "cargo:rustc-env=PELLICLE_GENERATED_HEADER={}",
+        header.display()
+    );
 
     if env::var("CARGO_CFG_TARGET_OS").as_deref() == Ok("linux") {
         // ABI version, not crate version: it changes only when linked programs must be rebuilt.

@@ -189,7 +189,7 @@ const EXPONENTS: [[f32; 2]; 4] = [[0.0, 0.0], [2.0, 9.0], [90.0, 170.0], [1000.0
 fn layered_samples_its_density() {
     let mut descriptions = Vec::new();
     for exponents in EXPONENTS {
-        for deviation in [0.0, 10.0, 35.0] {
+        for deviation in [0.0, 10.0, 70.0] {
             descriptions.push(layered(&[1.4, 1.6, 1.8], 1.0, exponents, deviation));
         }
         let paper = layered(&[1.5; 3], 1.0, exponents, 14.0).choose("variant", "paper");
