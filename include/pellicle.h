@@ -26,7 +26,8 @@
  * Threads. Every function may be called from any thread. Handles are immutable and
  * reference-counted: share them freely. Nothing starts threads, locks, logs, calls back or changes
  * the floating-point state; results are right under flush-to-zero and denormals-are-zero.
- * Floating-point exception flags may be raised: do not unmask traps. Only create() allocates.
+ * Floating-point exception flags may be raised: do not unmask traps. Only create() allocates,
+ * and a failing call for its message.
  *
  * Growth. Structs that are passed together with their own size grow by appending, and zero means
  * default: zero-initialise them and pass sizeof. A shorter struct of an older caller is accepted; a
@@ -401,7 +402,7 @@ PellicleStatus pellicle_model_param(size_t model,
                                     size_t info_size);
 
 // Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
-// `*bsdf`. The only function that allocates.
+// `*bsdf`.
 //
 // Fails with UNKNOWN_NAME (model, parameter, choice), OUT_OF_RANGE (numbers, ranges, sums),
 // INVALID_ARGUMENT (NULL, wrong count, something given twice) or UNSUPPORTED (a parameter that
@@ -462,7 +463,7 @@ PellicleStatus pellicle_bsdf_sample(const struct PellicleBsdf *bsdf,
                                     size_t sample_size);
 
 // Directional albedo: the integral of the value over wi, RGB, into `albedo` (3 numbers). `varying`
-// as in pellicle_bsdf_eval(). By quadrature, which takes about a millisecond, unless the model has
+// as in pellicle_bsdf_eval(). By quadrature, which takes some milliseconds, unless the model has
 // a closed form; call it when preparing, not when shading.
 //
 // # Safety

@@ -40,7 +40,7 @@ fn hard_directions(rng: &mut impl rand::Rng) -> [Vec3; 2] {
         0 => [wo, DVec3::new(-wo.x, -wo.y, wo.z)],
         1 => [DVec3::Z, wo],
         2 => [DVec3::Z, DVec3::Z],
-        3 => [grazing(phi, 1e-3), grazing(phi + 3.14, 1e-3)],
+        3 => [grazing(phi, 1e-3), grazing(phi + 3.1, 1e-3)],
         4 => [grazing(phi, 1e-7), grazing(phi + 1.0, 1e-30)],
         5 => [wo, wo],
         6 => [wo, grazing(phi, 1e-20)],

@@ -172,8 +172,8 @@ impl<T: Scalar> Bsdf<T> {
     }
 
     /// Directional albedo: the part of the light from `wo` that is reflected, which by reciprocity
-    /// is also how bright the surface looks from there in a white furnace. By quadrature (about a
-    /// millisecond) unless the model has a closed form.
+    /// is also how bright the surface looks from there in a white furnace. By quadrature (some
+    /// milliseconds) unless the model has a closed form.
     pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
         self.direction(wo)
             .and_then(|wo| {

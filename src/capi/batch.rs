@@ -85,11 +85,11 @@ const NOTHING: ConstView = ConstView {
     component_stride: 0,
 };
 
-unsafe fn convert<'a>(
+unsafe fn convert(
     varying: *const PellicleConstView,
     count: usize,
-    views: &'a mut [ConstView; MAX_VIEWS],
-) -> Result<&'a [ConstView], Error> {
+    views: &mut [ConstView; MAX_VIEWS],
+) -> Result<&[ConstView], Error> {
     if count > MAX_VIEWS {
         return Err(Error::invalid(format!(
             "args->varying_count = {count} exceeds {MAX_VIEWS}"

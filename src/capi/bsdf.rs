@@ -13,7 +13,7 @@ use libc::size_t;
 use std::sync::Arc;
 
 /// Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
-/// `*bsdf`. The only function that allocates.
+/// `*bsdf`.
 ///
 /// Fails with UNKNOWN_NAME (model, parameter, choice), OUT_OF_RANGE (numbers, ranges, sums),
 /// INVALID_ARGUMENT (NULL, wrong count, something given twice) or UNSUPPORTED (a parameter that
@@ -177,7 +177,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample(
 }
 
 /// Directional albedo: the integral of the value over wi, RGB, into `albedo` (3 numbers). `varying`
-/// as in pellicle_bsdf_eval(). By quadrature, which takes about a millisecond, unless the model has
+/// as in pellicle_bsdf_eval(). By quadrature, which takes some milliseconds, unless the model has
 /// a closed form; call it when preparing, not when shading.
 ///
 /// # Safety
@@ -246,7 +246,13 @@ unsafe fn with_param(
                     "parameter '{name}' has count = {count}; no parameter takes more than 3 numbers"
                 )));
             }
-            let values = slice(param.values, param.count, "desc->params[].values")?;
+            if param.values.is_null() && param.count > 0 {
+                return Err(Error::invalid(format!(
+                    "parameter '{name}' has values = NULL and count = {}",
+                    param.count
+                )));
+            }
+            let values = slice(param.values, param.count, "values")?;
             return Ok(description.set(&name, values));
         }
         if !param.values.is_null() || param.count != 0 {

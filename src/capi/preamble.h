@@ -26,7 +26,8 @@
  * Threads. Every function may be called from any thread. Handles are immutable and
  * reference-counted: share them freely. Nothing starts threads, locks, logs, calls back or changes
  * the floating-point state; results are right under flush-to-zero and denormals-are-zero.
- * Floating-point exception flags may be raised: do not unmask traps. Only create() allocates.
+ * Floating-point exception flags may be raised: do not unmask traps. Only create() allocates,
+ * and a failing call for its message.
  *
  * Growth. Structs that are passed together with their own size grow by appending, and zero means
  * default: zero-initialise them and pass sizeof. A shorter struct of an older caller is accepted; a

@@ -58,11 +58,13 @@ pub trait Scattering<T: Element>: Copy + Send + Sync + 'static {
     }
 }
 
-/// Shares of the reflected light as probabilities: divided by their sum, or all 0 with it.
+/// Shares of the reflected light as probabilities: divided by their sum, or all 0 with it. Each is
+/// divided, as the sum may be so small that its inverse is infinite.
 #[inline(always)]
 pub(super) fn normalized<T: Real>(shares: PerLobe<T>) -> PerLobe<T> {
     let zero = T::new(0.0);
     let sum = shares.into_iter().fold(zero, |sum, share| sum + share);
-    let inverse = T::select(sum.gt(zero), T::new(1.0) / sum, zero);
-    shares.map(|share| share * inverse)
+    let is_dark = sum.le(zero);
+    let divisor = T::select(is_dark, T::new(1.0), sum);
+    shares.map(|share| T::select(is_dark, zero, share / divisor))
 }

@@ -29,11 +29,6 @@ pub struct Patch {
 }
 
 impl Patch {
-    pub const HEMISPHERE: Self = Self {
-        z: [0.0, 1.0],
-        phi: [0.0, std::f64::consts::TAU],
-    };
-
     /// One cell of a regular grid over the hemisphere.
     pub fn cell(i: usize, j: usize, rows: usize, columns: usize) -> Self {
         let row = |i: usize| i as f64 / rows as f64;
@@ -114,19 +109,4 @@ impl Patch {
         }
         sum
     }
-}
-
-/// The integral over the hemisphere, begun on a 16 x 32 grid so that no narrow lobe is overlooked.
-pub fn over_hemisphere<const N: usize>(f: &impl Fn(DVec3) -> [f64; N], tolerance: f64) -> [f64; N] {
-    const ROWS: usize = 16;
-    const COLUMNS: usize = 32;
-    let mut sum = [0.0; N];
-    for (i, j) in (0..ROWS * COLUMNS).map(|n| (n / COLUMNS, n % COLUMNS)) {
-        let cell = Patch::cell(i, j, ROWS, COLUMNS);
-        let part = cell.integrate(f, tolerance / (ROWS * COLUMNS) as f64, 8);
-        for c in 0..N {
-            sum[c] += part[c];
-        }
-    }
-    sum
 }

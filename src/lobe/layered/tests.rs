@@ -152,7 +152,10 @@ fn thickness_gives_the_reference_diffuse_coefficient() {
 /// Mean of f over uniform values of its argument in (0, 1), by the midpoint rule.
 fn mean_over_unit(f: impl Fn(f64) -> f64) -> f64 {
     const COUNT: u32 = 200_000;
-    (0..COUNT).map(|i| f((f64::from(i) + 0.5) / f64::from(COUNT))).sum::<f64>() / f64::from(COUNT)
+    (0..COUNT)
+        .map(|i| f((f64::from(i) + 0.5) / f64::from(COUNT)))
+        .sum::<f64>()
+        / f64::from(COUNT)
 }
 
 /// Eq. 12 and 13 against their own definition: the cosine-weighted mean of Schlick's reflectance.

@@ -1,0 +1,56 @@
+# pellicle::shared and pellicle::static, built by cargo for the host.
+
+find_program(PELLICLE_CARGO cargo HINTS "$ENV{CARGO_HOME}/bin" "$ENV{HOME}/.cargo/bin" REQUIRED)
+
+# One target directory for cargo, CMake and ./x, so that nothing is compiled twice. Like cargo, a
+# set CARGO_TARGET_DIR wins.
+if(DEFINED ENV{CARGO_TARGET_DIR})
+    set(pellicle_default_target_dir "$ENV{CARGO_TARGET_DIR}")
+else()
+    set(pellicle_default_target_dir target)
+endif()
+cmake_path(ABSOLUTE_PATH pellicle_default_target_dir BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" NORMALIZE)
+set(PELLICLE_CARGO_TARGET_DIR "${pellicle_default_target_dir}" CACHE PATH "Where cargo builds")
+
+# The shared library is copied to its run-time name: the dynamic linker asks for the SONAME, which
+# changes only with the ABI (PELLICLE_ABI_VERSION; build.rs sets the same name).
+set(pellicle_soname libpellicle.so.1)
+set(pellicle_library_dir "${PROJECT_BINARY_DIR}/lib")
+set(pellicle_shared_library "${pellicle_library_dir}/${pellicle_soname}")
+set(pellicle_shared_link "${pellicle_library_dir}/libpellicle.so")
+set(pellicle_static_library "${pellicle_library_dir}/libpellicle.a")
+
+# What Rust's standard library needs from the system, in the order of
+# `cargo rustc --release --lib --crate-type staticlib -- --print native-static-libs`.
+set(pellicle_static_dependencies gcc_s util rt pthread m dl c)
+
+# Always run: only cargo knows whether its inputs changed. Copies keep their time stamps when
+# nothing did, so that an idle build relinks nothing.
+file(MAKE_DIRECTORY "${pellicle_library_dir}")
+add_custom_target(pellicle_cargo ALL
+    COMMAND "${PELLICLE_CARGO}" build --release --locked --target-dir "${PELLICLE_CARGO_TARGET_DIR}"
+    COMMAND "${CMAKE_COMMAND}" -E copy_if_different
+        "${PELLICLE_CARGO_TARGET_DIR}/release/libpellicle.so" "${pellicle_shared_library}"
+    COMMAND "${CMAKE_COMMAND}" -E create_symlink ${pellicle_soname} "${pellicle_shared_link}"
+    COMMAND "${CMAKE_COMMAND}" -E copy_if_different
+        "${PELLICLE_CARGO_TARGET_DIR}/release/libpellicle.a" "${pellicle_static_library}"
+    BYPRODUCTS "${pellicle_shared_library}" "${pellicle_shared_link}" "${pellicle_static_library}"
+    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+    COMMENT "cargo build --release --locked"
+    USES_TERMINAL
+    VERBATIM)
+
+add_library(pellicle::shared SHARED IMPORTED GLOBAL)
+set_target_properties(pellicle::shared PROPERTIES
+    IMPORTED_LOCATION "${pellicle_shared_library}"
+    IMPORTED_SONAME ${pellicle_soname}
+    INTERFACE_INCLUDE_DIRECTORIES "${PROJECT_SOURCE_DIR}/include")
+
+add_library(pellicle::static STATIC IMPORTED GLOBAL)
+set_target_properties(pellicle::static PROPERTIES
+    IMPORTED_LOCATION "${pellicle_static_library}"
+    INTERFACE_INCLUDE_DIRECTORIES "${PROJECT_SOURCE_DIR}/include"
+    INTERFACE_LINK_LIBRARIES "${pellicle_static_dependencies}")
+
+add_dependencies(pellicle::shared pellicle_cargo)
+add_dependencies(pellicle::static pellicle_cargo)

@@ -1,0 +1,215 @@
+// Structs grow by appending. Here an older caller (smaller size) and a newer one (larger size) meet
+// this build.
+#include "support.hpp"
+
+#include <cstring>
+#include <string>
+
+namespace {
+
+constexpr unsigned char guard = 0xA5;
+
+// Bytes that the compiler inserts; their content means nothing.
+struct Padding {
+    std::size_t begin = 0, end = 0;
+};
+
+// Calls with every size from 1 to beyond this build's, and looks at each byte of the output. A size
+// of 0 or of nonsense is a mistake and refused.
+template <class Output, class Call> void check_written_up_to_size(Call call, Padding padding = {}) {
+    Output full;
+    std::memset(&full, 0, sizeof full);
+    REQUIRE_EQ(call(&full, sizeof full), PELLICLE_OK);
+    unsigned char expected[sizeof full];
+    std::memcpy(expected, &full, sizeof full);
+
+    alignas(Output) unsigned char buffer[sizeof full + 32];
+    for (std::size_t size = 1; size <= sizeof full + 16; ++size) {
+        CAPTURE(size);
+        std::memset(buffer, guard, sizeof buffer);
+        REQUIRE_EQ(call(reinterpret_cast<Output *>(buffer), size), PELLICLE_OK);
+        bool as_expected = true;
+        for (std::size_t i = 0; i < sizeof buffer; ++i) {
+            if (i >= padding.begin && i < padding.end) continue;
+            as_expected = as_expected && buffer[i] == (i < size && i < sizeof full ? expected[i] : guard);
+        }
+        CHECK(as_expected);
+    }
+    for (const std::size_t nonsense : {std::size_t{0}, SIZE_MAX})
+        CHECK_REFUSED(call(reinterpret_cast<Output *>(buffer), nonsense), PELLICLE_INVALID_ARGUMENT, "size");
+}
+
+pellicle::Bsdf lambert() {
+    return pellicle::BsdfBuilder("lambert").create();
+}
+
+const float up[3] = {0.0f, 0.0f, 1.0f};
+const float slanted[3] = {0.0f, 0.6f, 0.8f};
+
+// One valid element for each batch call.
+struct EvalBatch {
+    float value[3] = {-1.0f, -1.0f, -1.0f};
+    float pdf = -1.0f;
+    PellicleEvalBatchArgs args{};
+    EvalBatch() {
+        args.count = 1;
+        args.wo = {up, 12, 4};
+        args.wi = {slanted, 12, 4};
+        args.value = {value, 12, 4};
+        args.pdf = {&pdf, 4, 4};
+    }
+};
+
+struct SampleBatch {
+    float wi[3] = {-1.0f, -1.0f, -1.0f};
+    float pdf = -1.0f;
+    std::uint32_t lobe = 77;
+    PellicleSampleBatchArgs args{};
+    SampleBatch() {
+        args.count = 1;
+        args.wo = {up, 12, 4};
+        args.u = {slanted, 12, 4};
+        args.wi = {wi, 12, 4};
+        args.pdf = {&pdf, 4, 4};
+        args.lobe = {&lobe, 4};
+    }
+};
+
+// `input` followed by `tail` bytes of which the one at `position` is `byte`; ends at a guard page.
+template <class Input> class WithTail {
+public:
+    WithTail(const Input &input, std::size_t tail, std::size_t position, unsigned char byte)
+        : bytes_(sizeof input + tail), size_(sizeof input + tail) {
+        std::memcpy(bytes_.template as<unsigned char>(), &input, sizeof input);
+        bytes_.template as<unsigned char>()[sizeof input + position] = byte;
+    }
+    const Input *get() { return bytes_.template as<Input>(); }
+    std::size_t size() const { return size_; }
+
+private:
+    support::GuardedBytes bytes_;
+    std::size_t size_;
+};
+
+template <class Input, class Call> void check_tails(const Input &input, Call call) {
+    for (const std::size_t tail : {8, 16, 256}) {
+        CAPTURE(tail);
+        WithTail<Input> zero(input, tail, 0, 0);
+        CHECK_EQ(call(zero.get(), zero.size()), PELLICLE_OK);
+        for (const std::size_t position : {std::size_t{0}, tail / 2 + 1, tail - 1}) {
+            CAPTURE(position);
+            WithTail<Input> unknown(input, tail, position, 1);
+            CHECK_EQ(call(unknown.get(), unknown.size()), PELLICLE_UNSUPPORTED);
+        }
+    }
+}
+
+// The first `size` bytes of `input`, ending at a guard page: reading more stops the program.
+template <class Input, class Call> PellicleStatus call_truncated(const Input &input, std::size_t size, Call call) {
+    support::GuardedBytes bytes(size);
+    std::memcpy(bytes.as<unsigned char>(), &input, size);
+    return call(bytes.as<const Input>(), size);
+}
+
+} // namespace
+
+TEST_CASE("growth: a model's description is written up to the size given") {
+    check_written_up_to_size<PellicleModelInfo>(
+        [](PellicleModelInfo *info, std::size_t size) { return pellicle_model_info(0, info, size); }, {36, 40});
+}
+
+TEST_CASE("growth: a parameter's description is written up to the size given") {
+    check_written_up_to_size<PellicleModelParam>(
+        [](PellicleModelParam *info, std::size_t size) { return pellicle_model_param(0, 0, info, size); }, {68, 72});
+}
+
+TEST_CASE("growth: what a BSDF is, is written up to the size given") {
+    const auto bsdf = lambert();
+    check_written_up_to_size<PellicleBsdfInfo>(
+        [&](PellicleBsdfInfo *info, std::size_t size) { return pellicle_bsdf_info(bsdf.raw(), info, size); });
+}
+
+TEST_CASE("growth: a sample is written up to the size given") {
+    const auto bsdf = lambert();
+    const float u[3] = {0.3f, 0.6f, 0.9f};
+    check_written_up_to_size<PellicleSample>([&](PellicleSample *sample, std::size_t size) {
+        return pellicle_bsdf_sample(bsdf.raw(), up, u, nullptr, sample, size);
+    });
+}
+
+TEST_CASE("growth: an older, shorter BSDF description means default for what it lacks") {
+    PellicleBsdfDesc desc{};
+    desc.model = "lambert";
+    desc.params = reinterpret_cast<const PellicleParam *>(std::uintptr_t{16});
+    desc.param_count = 9;
+    desc.varying = reinterpret_cast<const PellicleRange *>(std::uintptr_t{16});
+    desc.varying_count = 9;
+    const auto create = [](const PellicleBsdfDesc *truncated, std::size_t size) {
+        PellicleBsdf *raw = nullptr;
+        const PellicleStatus status = pellicle_bsdf_create(truncated, size, &raw);
+        const pellicle::Bsdf bsdf(raw);
+        if (status == PELLICLE_OK) {
+            CHECK_EQ(bsdf.info().varying_count, 0);
+            CHECK_EQ(bsdf.value(up, up)[0], doctest::Approx(0.5 / 3.14159265));
+        }
+        return status;
+    };
+
+    CHECK_EQ(call_truncated(desc, offsetof(PellicleBsdfDesc, params), create), PELLICLE_OK);
+    desc.params = nullptr;
+    desc.param_count = 0;
+    CHECK_EQ(call_truncated(desc, offsetof(PellicleBsdfDesc, varying), create), PELLICLE_OK);
+    CHECK_EQ(call_truncated(desc, 0, create), PELLICLE_INVALID_ARGUMENT);
+}
+
+TEST_CASE("growth: older, shorter eval batch arguments leave out the outputs they lack") {
+    const auto bsdf = lambert();
+    EvalBatch batch;
+    const auto call = [&](const PellicleEvalBatchArgs *args, std::size_t size) {
+        return pellicle_bsdf_eval_batch(bsdf.raw(), args, size);
+    };
+    CHECK_EQ(call_truncated(batch.args, offsetof(PellicleEvalBatchArgs, pdf), call), PELLICLE_OK);
+    CHECK_EQ(batch.value[0], doctest::Approx(0.5 * 0.8 / 3.14159265));
+    CHECK_EQ(batch.pdf, -1.0f);
+}
+
+TEST_CASE("growth: older, shorter sample batch arguments leave out the outputs they lack") {
+    const auto bsdf = lambert();
+    SampleBatch batch;
+    const auto call = [&](const PellicleSampleBatchArgs *args, std::size_t size) {
+        return pellicle_bsdf_sample_batch(bsdf.raw(), args, size);
+    };
+    CHECK_EQ(call_truncated(batch.args, offsetof(PellicleSampleBatchArgs, lobe), call), PELLICLE_OK);
+    CHECK_GT(batch.pdf, 0.0f);
+    CHECK_EQ(batch.lobe, 77);
+}
+
+TEST_CASE("growth: a newer description is refused if it uses what this build does not know") {
+    PellicleBsdfDesc desc{};
+    desc.model = "lambert";
+    check_tails(desc, [](const PellicleBsdfDesc *longer, std::size_t size) {
+        PellicleBsdf *raw = nullptr;
+        const PellicleStatus status = pellicle_bsdf_create(longer, size, &raw);
+        CHECK_EQ(raw != nullptr, status == PELLICLE_OK);
+        pellicle_bsdf_release(raw);
+        return status;
+    });
+}
+
+TEST_CASE("growth: newer batch arguments are refused if they use what this build does not know") {
+    const auto bsdf = lambert();
+    EvalBatch eval;
+    check_tails(eval.args, [&](const PellicleEvalBatchArgs *longer, std::size_t size) {
+        eval.pdf = -1.0f;
+        const PellicleStatus status = pellicle_bsdf_eval_batch(bsdf.raw(), longer, size);
+        CHECK_EQ(eval.pdf == -1.0f, status != PELLICLE_OK);
+        return status;
+    });
+    SampleBatch sample;
+    check_tails(sample.args, [&](const PellicleSampleBatchArgs *longer, std::size_t size) {
+        sample.pdf = -1.0f;
+        const PellicleStatus status = pellicle_bsdf_sample_batch(bsdf.raw(), longer, size);
+        CHECK_EQ(sample.pdf == -1.0f, status != PELLICLE_OK);
+        return status;
+    });
+}

@@ -1,0 +1,17 @@
+// The headers alone compile as pedantic C++17, twice, and have the layout of their ABI version.
+#include <pellicle.hpp>
+#include <pellicle.hpp>
+
+#include <pellicle.h>
+
+#include <type_traits>
+
+#define LAW(condition) static_assert(condition, #condition);
+
+#include "layout.h"
+
+// A container of handles must move them, not copy (and retain) them.
+static_assert(std::is_nothrow_move_constructible_v<pellicle::Bsdf>);
+static_assert(std::is_nothrow_move_assignable_v<pellicle::Bsdf>);
+static_assert(std::is_nothrow_destructible_v<pellicle::Bsdf>);
+static_assert(std::is_copy_constructible_v<pellicle::Bsdf>);

@@ -1,0 +1,107 @@
+#include "support.hpp"
+
+#include <cmath>
+#include <cstring>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace support {
+
+std::vector<Model> models() {
+    std::vector<Model> result(pellicle_model_count());
+    REQUIRE_FALSE(result.empty());
+    for (std::size_t model = 0; model < result.size(); ++model) {
+        REQUIRE_EQ(pellicle_model_info(model, &result[model].info, sizeof(PellicleModelInfo)), PELLICLE_OK);
+        result[model].params.resize(result[model].info.param_count);
+        for (std::size_t param = 0; param < result[model].params.size(); ++param)
+            REQUIRE_EQ(pellicle_model_param(model, param, &result[model].params[param], sizeof(PellicleModelParam)),
+                       PELLICLE_OK);
+    }
+    return result;
+}
+
+Varying::Varying(const Model &model) {
+    pellicle::BsdfBuilder builder(model.info.name);
+    for (const PellicleModelParam &param : model.params) {
+        if (!param.can_vary) continue;
+        components_.push_back(param.components);
+        if (param.kind == PELLICLE_KIND_DIRECTION) {
+            builder.vary(param.name, 0.0f, 0.0f);
+            // Leaning by up to 50 degrees.
+            lows_.insert(lows_.end(), {-0.6f, -0.6f, 0.7f});
+            highs_.insert(highs_.end(), {0.6f, 0.6f, 1.0f});
+            continue;
+        }
+        // The lower half of the range: there the albedos that a model adds up stay below 1. The
+        // value used without `varying` must lie in it, too.
+        const float middle = param.min + 0.5f * (param.max - param.min);
+        builder.vary(param.name, param.min, middle);
+        builder.set(param.name, 0.5f * (param.min + middle));
+        lows_.insert(lows_.end(), param.components, param.min);
+        highs_.insert(highs_.end(), param.components, middle);
+    }
+    bsdf_ = builder.create();
+    REQUIRE_EQ(bsdf_.info().varying_floats, floats());
+}
+
+std::vector<float> Varying::random_values(std::mt19937 &random) const {
+    std::vector<float> values;
+    for (std::size_t i = 0; i < lows_.size(); ++i)
+        values.push_back(std::uniform_real_distribution<float>(lows_[i], highs_[i])(random));
+    return values;
+}
+
+Vec3 random_direction(std::mt19937 &random) {
+    const Vec3 u = random_uniforms(random);
+    const float z = 1.0f - u[0];
+    const float radius = std::sqrt(1.0f - z * z), phi = 6.2831853f * u[1];
+    return {radius * std::cos(phi), radius * std::sin(phi), z};
+}
+
+Vec3 random_uniforms(std::mt19937 &random) {
+    // 24 bits: std::uniform_real_distribution may round up to 1.
+    const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+    const float a = uniform(), b = uniform(), c = uniform();
+    return {a, b, c};
+}
+
+bool same_bits(const float *a, const float *b, std::size_t count) {
+    return std::memcmp(a, b, count * sizeof(float)) == 0;
+}
+
+bool same_bits(const PellicleSample &a, const PellicleSample &b) {
+    static_assert(sizeof(PellicleSample) == 10 * sizeof(float), "no padding to compare");
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool finite_and_non_negative(const float *values, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        if (!std::isfinite(values[i]) || values[i] < 0.0f) return false;
+    return true;
+}
+
+bool all_zero(const PellicleSample &sample) {
+    return same_bits(sample, PellicleSample{});
+}
+
+bool message_has(const std::string &words) {
+    return std::string(pellicle_last_error()).find(words) != std::string::npos;
+}
+
+GuardedBytes::GuardedBytes(std::size_t size) {
+    const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t usable = (size + page - 1) / page * page;
+    mapped_ = usable + page;
+    void *mapping = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    REQUIRE_NE(mapping, MAP_FAILED);
+    mapping_ = static_cast<unsigned char *>(mapping);
+    REQUIRE_EQ(mprotect(mapping_ + usable, page, PROT_NONE), 0);
+    data_ = mapping_ + usable - size;
+}
+
+GuardedBytes::~GuardedBytes() {
+    munmap(mapping_, mapped_);
+}
+
+} // namespace support

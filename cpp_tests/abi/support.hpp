@@ -1,0 +1,91 @@
+// What the ABI tests share: the catalogue of models, handles with everything varying, random
+// inputs, and memory whose end is guarded.
+#pragma once
+
+#include <pellicle.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace support {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
+
+using Vec3 = std::array<float, 3>;
+
+// A model as introspection describes it. Tests iterate over all of them, so that a new model cannot
+// be forgotten.
+struct Model {
+    PellicleModelInfo info;
+    std::vector<PellicleModelParam> params;
+};
+std::vector<Model> models();
+
+// A BSDF in which every parameter that can vary does, in the order of introspection.
+class Varying {
+public:
+    explicit Varying(const Model &model);
+
+    const pellicle::Bsdf &bsdf() const { return bsdf_; }
+    std::size_t floats() const { return lows_.size(); }
+    // How many components each varying parameter has.
+    const std::vector<std::size_t> &components() const { return components_; }
+    // Valid values of all components, one after another.
+    std::vector<float> random_values(std::mt19937 &random) const;
+
+private:
+    pellicle::Bsdf bsdf_;
+    std::vector<std::size_t> components_;
+    std::vector<float> lows_, highs_;
+};
+
+// Unit, z > 0, uniform over the hemisphere.
+Vec3 random_direction(std::mt19937 &random);
+// Each in [0, 1).
+Vec3 random_uniforms(std::mt19937 &random);
+
+// Equality of representation: NaN equals itself and -0 is not 0.
+bool same_bits(const float *a, const float *b, std::size_t count);
+bool same_bits(const PellicleSample &a, const PellicleSample &b);
+
+// The result of any finite input.
+bool finite_and_non_negative(const float *values, std::size_t count);
+bool all_zero(const PellicleSample &sample);
+
+// The text of the latest failure of this thread contains these words.
+bool message_has(const std::string &words);
+
+// `size` bytes that end where an inaccessible page begins: an access past them stops the program.
+// Aligned for any type if `size` is a multiple of 16, of 8 if it is a multiple of 8.
+class GuardedBytes {
+public:
+    explicit GuardedBytes(std::size_t size);
+    ~GuardedBytes();
+    GuardedBytes(const GuardedBytes &) = delete;
+    GuardedBytes &operator=(const GuardedBytes &) = delete;
+
+    template <class T> T *as() { return reinterpret_cast<T *>(data_); }
+
+private:
+    unsigned char *mapping_;
+    std::size_t mapped_;
+    unsigned char *data_;
+};
+
+} // namespace support
+
+// A call refused as INVALID_ARGUMENT (and so on), with a message that contains `words`.
+#define CHECK_REFUSED(call, expected_status, words)                                                          \
+    do {                                                                                                     \
+        CHECK_EQ((call), (expected_status));                                                                 \
+        CAPTURE(std::string(pellicle_last_error()));                                                                      \
+        CHECK(support::message_has(words));                                                                  \
+    } while (false)

@@ -1,0 +1,185 @@
+// Handles are immutable and counted, and every thread has its own last error.
+#include "support.hpp"
+
+#include <atomic>
+#include <cstring>
+#include <malloc.h>
+#include <thread>
+
+namespace {
+
+using support::Vec3;
+
+constexpr int thread_count = 8;
+
+template <class Work> void on_threads(Work work) {
+    std::vector<std::thread> threads;
+    for (int i = 0; i < thread_count; ++i) threads.emplace_back([&work, i] { work(i); });
+    for (std::thread &thread : threads) thread.join();
+}
+
+struct Results {
+    pellicle::Evaluation evaluation;
+    PellicleSample sample;
+    Vec3 albedo; // of the first few calls only: it is a quadrature
+
+    bool operator==(const Results &other) const {
+        return support::same_bits(evaluation.value.data(), other.evaluation.value.data(), 3) &&
+               support::same_bits(&evaluation.pdf, &other.evaluation.pdf, 1) &&
+               support::same_bits(sample, other.sample) && support::same_bits(albedo.data(), other.albedo.data(), 3);
+    }
+};
+
+// A fixed sequence of calls.
+std::vector<Results> results(const pellicle::Bsdf &bsdf, const support::Varying &varying) {
+    std::vector<Results> all;
+    std::mt19937 random(4);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 wo = support::random_direction(random), wi = support::random_direction(random);
+        const Vec3 u = support::random_uniforms(random);
+        const std::vector<float> values = varying.random_values(random);
+        all.push_back({bsdf.eval(wo, wi, values.data()), bsdf.sample(wo, u, values.data()),
+                       i < 8 ? bsdf.albedo(wo, values.data()) : Vec3{}});
+    }
+    return all;
+}
+
+std::size_t bytes_in_use() {
+    return mallinfo2().uordblks;
+}
+
+} // namespace
+
+TEST_CASE("threads: a handle shared by many threads gives what it gives one") {
+    for (const support::Model &model : support::models()) {
+        CAPTURE(std::string(model.info.name));
+        const support::Varying varying(model);
+        const std::vector<Results> expected = results(varying.bsdf(), varying);
+        std::atomic<int> equal{0};
+        on_threads([&](int) { equal += results(varying.bsdf(), varying) == expected; });
+        CHECK_EQ(equal, thread_count);
+    }
+}
+
+TEST_CASE("threads: retain, release and create from many threads leave a shared handle usable") {
+    const support::Varying varying(support::models().back());
+    const std::vector<Results> expected = results(varying.bsdf(), varying);
+    on_threads([&](int) {
+        for (int i = 0; i < 2000; ++i) {
+            const pellicle::Bsdf shared = varying.bsdf();
+            const pellicle::Bsdf other = pellicle::BsdfBuilder("lambert").create();
+        }
+    });
+    CHECK(results(varying.bsdf(), varying) == expected);
+}
+
+TEST_CASE("references: as many releases as retains keep the handle, one more frees it") {
+    PellicleBsdfDesc desc{};
+    desc.model = "layered";
+    const auto create_and_free = [&](int retains) {
+        PellicleBsdf *bsdf = nullptr;
+        REQUIRE_EQ(pellicle_bsdf_create(&desc, sizeof desc, &bsdf), PELLICLE_OK);
+        for (int i = 0; i < retains; ++i) REQUIRE_EQ(pellicle_bsdf_retain(bsdf), PELLICLE_OK);
+        for (int i = 0; i <= retains; ++i) pellicle_bsdf_release(bsdf);
+    };
+
+    // The allocator's own caches fill during the first round.
+    for (int i = 0; i < 1000; ++i) create_and_free(3);
+    const std::size_t before = bytes_in_use();
+    for (int i = 0; i < 1000; ++i) create_and_free(3);
+    CHECK_EQ(bytes_in_use(), before);
+
+    PellicleBsdf *bsdf = nullptr;
+    REQUIRE_EQ(pellicle_bsdf_create(&desc, sizeof desc, &bsdf), PELLICLE_OK);
+    const std::size_t with_one = bytes_in_use();
+    for (int i = 0; i < 5; ++i) REQUIRE_EQ(pellicle_bsdf_retain(bsdf), PELLICLE_OK);
+    for (int i = 0; i < 5; ++i) pellicle_bsdf_release(bsdf);
+    CHECK_EQ(bytes_in_use(), with_one);
+    PellicleBsdfInfo info{};
+    CHECK_EQ(pellicle_bsdf_info(bsdf, &info, sizeof info), PELLICLE_OK);
+    CHECK_EQ(std::string(info.model), "layered");
+    pellicle_bsdf_release(bsdf);
+}
+
+TEST_CASE("create: descriptions are copied, the caller may overwrite them at once") {
+    char model[] = "lambert", name[] = "reflectance";
+    float reflectance = 0.25f;
+    PellicleParam param = {name, &reflectance, 1, nullptr};
+    PellicleRange range = {name, 0.0f, 0.5f};
+    PellicleBsdfDesc desc{};
+    desc.model = model;
+    desc.params = &param;
+    desc.param_count = 1;
+    desc.varying = &range;
+    desc.varying_count = 1;
+    const pellicle::Bsdf bsdf(desc);
+    const Vec3 up = {0.0f, 0.0f, 1.0f};
+    const Vec3 before = bsdf.value(up, up);
+    std::memset(model, 'x', sizeof model - 1);
+    std::memset(name, 'x', sizeof name - 1);
+    reflectance = 0.75f;
+    param = {};
+    range = {};
+    CHECK(support::same_bits(bsdf.value(up, up).data(), before.data(), 3));
+    CHECK_EQ(std::string(bsdf.info().model), "lambert");
+}
+
+TEST_CASE("last error: never NULL, empty in a thread without failures, and each thread's own") {
+    REQUIRE_EQ(pellicle_bsdf_retain(nullptr), PELLICLE_INVALID_ARGUMENT);
+    const std::string mine = pellicle_last_error();
+    CHECK_FALSE(mine.empty());
+    std::atomic<int> empty{0}, own{0};
+    on_threads([&](int i) {
+        empty += pellicle_last_error() != nullptr && std::string(pellicle_last_error()).empty();
+        const std::string model = "no such model " + std::to_string(i);
+        PellicleBsdfDesc desc{};
+        desc.model = model.c_str();
+        PellicleBsdf *bsdf = nullptr;
+        for (int repeat = 0; repeat < 100; ++repeat) {
+            pellicle_bsdf_create(&desc, sizeof desc, &bsdf);
+            std::this_thread::yield();
+        }
+        own += support::message_has(model);
+    });
+    CHECK_EQ(empty, thread_count);
+    CHECK_EQ(own, thread_count);
+    CHECK_EQ(mine, pellicle_last_error());
+}
+
+TEST_CASE("last error: a call that succeeds leaves it alone") {
+    REQUIRE_EQ(pellicle_bsdf_retain(nullptr), PELLICLE_INVALID_ARGUMENT);
+    const std::string message = pellicle_last_error();
+    const auto bsdf = pellicle::BsdfBuilder("lambert").create();
+    bsdf.info();
+    CHECK_EQ(message, pellicle_last_error());
+}
+
+TEST_CASE("last error: names of any length and any bytes fit into the message's fixed buffer") {
+    REQUIRE_EQ(pellicle_bsdf_retain(nullptr), PELLICLE_INVALID_ARGUMENT);
+    const std::string brief = pellicle_last_error();
+    for (const std::size_t length : {100, 1000, 1023, 1024, 1025, 5000, 1000000}) {
+        CAPTURE(length);
+        for (const char *bytes : {"a", "\xc3\xa4", "\xf0\x9f\x8c\x88", "%s%n"}) {
+            std::string name;
+            while (name.size() < length) name += bytes;
+            PellicleBsdf *bsdf = nullptr;
+            PellicleBsdfDesc desc{};
+            desc.model = name.c_str();
+            CHECK_EQ(pellicle_bsdf_create(&desc, sizeof desc, &bsdf), PELLICLE_UNKNOWN_NAME);
+            const std::size_t written = std::strlen(pellicle_last_error());
+            CHECK_GT(written, 0);
+            CHECK_LT(written, 5000);
+
+            const PellicleParam param = {name.c_str(), nullptr, 0, "x"};
+            desc.model = "layered";
+            desc.params = &param;
+            desc.param_count = 1;
+            CHECK_EQ(pellicle_bsdf_create(&desc, sizeof desc, &bsdf), PELLICLE_UNKNOWN_NAME);
+            CHECK_GT(std::strlen(pellicle_last_error()), 0);
+
+            // Nothing of the long message shines through.
+            CHECK_EQ(pellicle_bsdf_retain(nullptr), PELLICLE_INVALID_ARGUMENT);
+            CHECK_EQ(brief, pellicle_last_error());
+        }
+    }
+}
