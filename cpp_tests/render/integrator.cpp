@@ -1,0 +1,161 @@
+#include "integrator.hpp"
+
+#include <algorithm>
+
+namespace render {
+namespace {
+
+/// A surface point with everything that does not depend on the direction to the light.
+class Shading {
+public:
+    Shading(const Hit &hit, const V3f &toViewer) : material_(*hit.material), point_(hit.point) {
+        Frame &frame = point_.shading;
+        // pellicle's models without TRANSMISSION are one-sided: show them from both sides.
+        if (!material_.transmits() && dot(toViewer, point_.geometricNormal) < 0) {
+            point_.geometricNormal = -point_.geometricNormal;
+            frame = frameAround(-frame.normal);
+        }
+        // Where interpolation has turned the normal away from the viewer it is turned back until it is
+        // just visible, as otherwise outlines would be black (A. Keller et al., "The Iray Light
+        // Transport Simulation and Rendering System", 2017, does so too).
+        const float side = dot(toViewer, point_.geometricNormal) < 0 ? -1.0f : 1.0f;
+        constexpr float leastCosine = 0.01f;
+        const float cosine = side * dot(toViewer, frame.normal);
+        if (cosine < leastCosine)
+            frame = frameAround((frame.normal + toViewer * (side * (leastCosine - cosine))).normalized());
+
+        wo_ = frame.toLocal(toViewer);
+        varying_ = material_.varyingAt(point_);
+    }
+
+    const SurfacePoint &point() const { return point_; }
+
+    struct Scattering {
+        Rgb value{0};
+        float pdf = 0;
+    };
+    Scattering eval(const V3f &toLight) const {
+        const V3f wi = point_.shading.toLocal(toLight);
+        if (leaks(toLight, wi)) return {};
+        const pellicle::Evaluation e = material_.bsdf().eval(&wo_.x, &wi.x, varying_.data());
+        return {Rgb(e.value[0], e.value[1], e.value[2]), e.pdf};
+    }
+
+    struct Sample {
+        V3f toLight;
+        Rgb weight;
+        float pdf;
+        bool dirac;
+    };
+    /// Weight 0: the path ends.
+    Sample sample(float lobe, const V2f &u) const {
+        const float uniforms[3] = {lobe, u.x, u.y};
+        const PellicleSample s = material_.bsdf().sample(&wo_.x, uniforms, varying_.data());
+        const V3f wi(s.wi[0], s.wi[1], s.wi[2]);
+        const V3f toLight = point_.shading.toWorld(wi);
+        Rgb weight(s.weight[0], s.weight[1], s.weight[2]);
+        if (leaks(toLight, wi)) weight = Rgb(0);
+        return {toLight, weight, s.pdf, (s.flags & PELLICLE_DELTA) != 0};
+    }
+
+private:
+    /// The interpolated normal and the true one disagree on which side the light is.
+    bool leaks(const V3f &toLight, const V3f &wi) const {
+        return dot(toLight, point_.geometricNormal) * wi.z <= 0;
+    }
+
+    const Material &material_;
+    SurfacePoint point_;
+    V3f wo_;
+    Material::Varying varying_;
+};
+
+/// E. Veach and L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
+/// SIGGRAPH 1995: the power heuristic with exponent 2. Divided through, so that it cannot overflow.
+float powerHeuristic(float pdf, float otherPdf) {
+    if (pdf == 0) return 0;
+    const float ratio = otherPdf / pdf;
+    return 1 / (1 + ratio * ratio);
+}
+
+bool isBlack(const Rgb &c) { return c.x == 0 && c.y == 0 && c.z == 0; }
+
+/// Light from the environment, by `count` samples of it. They are one random point shifted along the
+/// R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), so that
+/// they are spread evenly whatever their number.
+Rgb sampleLight(const Shading &shading, const World &world, const Environment &environment,
+                Technique technique, const V2f &u, int count) {
+    const SurfacePoint &point = shading.point();
+    Rgb sum(0);
+    for (int i = 0; i < count; ++i) {
+        const float shift = static_cast<float>(i);
+        const V2f shifted(u.x + 0.7548777f * shift, u.y + 0.5698403f * shift);
+        const Environment::Sample light =
+            environment.sample({shifted.x - std::floor(shifted.x), shifted.y - std::floor(shifted.y)});
+        if (light.pdf == 0) continue;
+        const Shading::Scattering scattering = shading.eval(light.direction);
+        if (isBlack(scattering.value)) continue;
+        if (world.occluded(leaveSurface(point.position, point.geometricNormal, light.direction))) continue;
+        const float pdf = static_cast<float>(count) * light.pdf;
+        const float weight = technique == Technique::combined ? powerHeuristic(pdf, scattering.pdf) : 1.0f;
+        sum += scattering.value * light.radiance * (weight / pdf);
+    }
+    return sum;
+}
+
+} // namespace
+
+Rgb radiance(Ray ray, const World &world, const Environment &environment, const PathSettings &settings,
+             Sampler &sampler, FirstHit &firstHit) {
+    Rgb sum(0), throughput(1);
+    // How the ray was chosen: by a BSDF with this density, or (no density) by the camera or a mirror;
+    // and how many samples of the light it competes with.
+    float bsdfPdf = 0;
+    int lightSamples = settings.lightSamples;
+    const auto limited = [&](const Rgb &light, int reflections) {
+        const float brightest = maxComponent(light);
+        return reflections > 0 && brightest > settings.indirectLimit
+                   ? light * (settings.indirectLimit / brightest)
+                   : light;
+    };
+
+    for (int bounce = 0;; ++bounce) {
+        const std::optional<Hit> hit = world.intersect(ray);
+        if (!hit) {
+            float weight = 1;
+            if (bsdfPdf > 0 && settings.technique == Technique::light) weight = 0;
+            if (bsdfPdf > 0 && settings.technique == Technique::combined)
+                weight = powerHeuristic(bsdfPdf,
+                                        static_cast<float>(lightSamples) * environment.pdf(ray.direction));
+            return sum + limited(throughput * environment.radiance(ray.direction) * weight, bounce - 1);
+        }
+        const Shading shading(*hit, -ray.direction);
+        const SurfacePoint &point = shading.point();
+        if (bounce == 0) firstHit = {point.shading.normal, hit->distance};
+        if (bounce == settings.maxBounces) return sum;
+
+        lightSamples = bounce == 0 ? settings.lightSamples : 1;
+        const V2f lightUniforms = sampler.next2d();
+        if (settings.technique != Technique::bsdf)
+            sum += limited(throughput * sampleLight(shading, world, environment, settings.technique,
+                                                    lightUniforms, lightSamples),
+                           bounce);
+
+        const float lobe = sampler.next1d();
+        const Shading::Sample next = shading.sample(lobe, sampler.next2d());
+        throughput *= next.weight;
+        bsdfPdf = next.dirac ? 0 : next.pdf;
+        ray = leaveSurface(point.position, point.geometricNormal, next.toLight);
+
+        // Russian roulette (J. Arvo and D. Kirk, "Particle Transport and Image Synthesis", SIGGRAPH
+        // 1990). Below 1, as the paper's variant can reflect more light than it receives; well above
+        // 0, and not at the first surface, as what dark surfaces reflect would become speckles.
+        if (isBlack(throughput)) return sum;
+        if (bounce == 0) continue;
+        const float survival = std::clamp(maxComponent(throughput), 0.25f, 0.95f);
+        if (sampler.next1d() >= survival) return sum;
+        throughput *= 1 / survival;
+    }
+}
+
+} // namespace render

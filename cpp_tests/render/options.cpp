@@ -1,0 +1,56 @@
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <stdexcept>
+
+namespace render {
+namespace {
+
+struct Quality {
+    const char *name;
+    int size, samplesPerPixel;
+};
+constexpr Quality qualities[] = {{"draft", 192, 4}, {"normal", 320, 16}, {"high", 512, 128}};
+
+} // namespace
+
+Options parseCommandLine(int argc, char **argv) {
+    Options options;
+    int size = 0, samplesPerPixel = 0;
+    std::string quality = "normal";
+    std::vector<std::string> names;
+    for (const Quality &q : qualities) names.push_back(q.name);
+
+    CLI::App app{"Renders pellicle's gallery: every scene on a sphere and on a mesh, and a contact sheet."};
+    app.add_flag("--list", options.list, "List the scenes and end");
+    app.add_option("--scene", options.scenes, "Render only this scene; may be repeated");
+    app.add_option("--quality", quality,
+                   "draft, normal (default) or high, which takes twenty times as long: sets --size and --spp")
+        ->check(CLI::IsMember(names));
+    app.add_option("--size", size, "Pixels along each side")->check(CLI::Range(16, 8192));
+    app.add_option("--spp", samplesPerPixel, "Samples per pixel; powers of two are best")
+        ->check(CLI::Range(1, 65536));
+    app.add_option("--mesh", options.mesh, "Wavefront OBJ to show in place of the bunny");
+    app.add_option("--env", options.environment, "Latitude-longitude image (EXR, HDR) to light with");
+    app.add_option("--out", options.out, "Directory for the pictures; made if missing")
+        ->capture_default_str();
+    app.add_option("--threads", options.threads, "Threads; 0: one per core")->check(CLI::Range(0, 1024));
+    app.add_option("--seed", options.seed, "Other seeds give other noise")->capture_default_str();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        if (error.get_exit_code() == 0) throw Exit{app.exit(error)};
+        throw std::runtime_error(error.what());
+    }
+
+    for (const Quality &q : qualities) {
+        if (quality != q.name) continue;
+        options.size = size ? size : q.size;
+        options.samplesPerPixel = samplesPerPixel ? samplesPerPixel : q.samplesPerPixel;
+    }
+    return options;
+}
+
+} // namespace render

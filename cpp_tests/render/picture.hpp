@@ -1,0 +1,34 @@
+// A rendered picture and its files.
+#pragma once
+
+#include "math.hpp"
+
+#include <OpenImageIO/imagebuf.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace render {
+
+struct Pixel {
+    Rgb radiance{0};
+    V3f normal{0};      ///< of the first surface, world space
+    float distance = 0; ///< to it; 0 where there is none
+};
+
+struct Picture {
+    int width, height;
+    std::vector<Pixel> pixels; ///< rows from the top
+};
+
+/// Linear radiance (R G B), normals (N.X N.Y N.Z) and distances (Z), in single precision. Throws
+/// std::runtime_error, as does everything here that touches a file.
+void writeExr(const Picture &picture, const std::filesystem::path &file);
+
+/// Radiance times 2^`exposure`, clipped at 1, sRGB: no tone curve, nothing automatic.
+OIIO::ImageBuf display(const Picture &picture, float exposure);
+
+/// 8 bits, dithered.
+void writePng(const OIIO::ImageBuf &image, const std::filesystem::path &file);
+
+} // namespace render

@@ -1,0 +1,24 @@
+#include "stage.hpp"
+
+namespace render {
+
+std::unique_ptr<World> stage(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Material> material) {
+    auto world = std::make_unique<World>();
+    // The light being infinitely far away it falls on the whole floor alike; a painted vignette gives
+    // the background its depth.
+    auto paint = std::make_shared<Material>(
+        pellicle::BsdfBuilder("lambert"),
+        std::vector<VaryingParameter>{{"reflectance", 0, 1, fadingGrey(0.22f, 0.035f, 0.5f, 12.0f)}});
+    world->add(std::make_shared<Mesh>(square(60)), std::move(paint));
+    if (mesh)
+        world->add(std::move(mesh), std::move(material));
+    else
+        world->add(Sphere{V3f(0, 1, 0), 1}, std::move(material));
+    world->commit();
+    return world;
+}
+
+/// Looks down just enough to keep the floor's horizon out of the picture.
+Camera stageCamera() { return {V3f(0, 3.3f, 8.6f), V3f(0, 0.92f, 0), 19}; }
+
+} // namespace render

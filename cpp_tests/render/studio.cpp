@@ -1,0 +1,65 @@
+#include "studio.hpp"
+
+namespace render {
+namespace {
+
+/// A rectangle of light that faces the origin, infinitely far away.
+struct SoftBox {
+    float azimuth, elevation; ///< degrees; azimuth from -z (behind the object) towards +x
+    float width, height;      ///< degrees
+    float roll;               ///< degrees
+    Rgb radiance;
+};
+
+const SoftBox boxes[] = {
+    {-132, 38, 4, 44, 14, Rgb(57, 55, 52)},     // key: from the left and in front
+    {118, 28, 6, 46, -10, Rgb(9, 9.5f, 10.5f)}, // fill: from the right
+    {38, 34, 7, 36, 0, Rgb(14, 14, 14.7f)},     // rim: from behind
+    {-60, 70, 18, 18, 0, Rgb(6, 6, 6)},         // overhead
+};
+
+/// Radiance falls to 0 over this fraction of a box's half width and height.
+constexpr float softEdge = 0.25f;
+
+Rgb sky(const V3f &direction) {
+    const Rgb zenith(0.13f, 0.145f, 0.17f), horizon(0.07f, 0.07f, 0.07f);
+    if (direction.y < 0) return Rgb(0); // where the floor is
+    return horizon + (zenith - horizon) * direction.y;
+}
+
+V3f fromAngles(float azimuth, float elevation) {
+    const float a = radians(azimuth), e = radians(elevation);
+    return {std::cos(e) * std::sin(a), std::sin(e), -std::cos(e) * std::cos(a)};
+}
+
+Rgb lightOf(const SoftBox &box, const V3f &direction) {
+    const V3f forward = fromAngles(box.azimuth, box.elevation);
+    const float depth = dot(direction, forward);
+    if (depth <= 0) return Rgb(0);
+    const V3f right = cross(V3f(0, 1, 0), forward).normalized(), up = cross(forward, right);
+    const float c = std::cos(radians(box.roll)), s = std::sin(radians(box.roll));
+    const float x = dot(direction, right * c + up * s) / depth / std::tan(radians(box.width / 2));
+    const float y = dot(direction, up * c - right * s) / depth / std::tan(radians(box.height / 2));
+    return box.radiance * ((1 - smoothstep(1 - softEdge, 1, std::fabs(x))) *
+                           (1 - smoothstep(1 - softEdge, 1, std::fabs(y))));
+}
+
+} // namespace
+
+LatLongMap studio() {
+    LatLongMap map{512, 256, {}};
+    map.texels.reserve(static_cast<std::size_t>(map.width) * map.height);
+    for (int row = 0; row < map.height; ++row) {
+        for (int column = 0; column < map.width; ++column) {
+            const V3f direction = latLongDirection(
+                (static_cast<float>(column) + 0.5f) / static_cast<float>(map.width),
+                std::cos(pi * (static_cast<float>(row) + 0.5f) / static_cast<float>(map.height)));
+            Rgb light = sky(direction);
+            for (const SoftBox &box : boxes) light += lightOf(box, direction);
+            map.texels.push_back(light);
+        }
+    }
+    return map;
+}
+
+} // namespace render

@@ -1,0 +1,71 @@
+// One small picture per figure, compared with the one that was looked at and checked in. With the
+// environment variable PELLICLE_RENEW_GOLDENS set the pictures are written instead: look at them
+// before checking them in.
+
+#include "picture.hpp"
+#include "render.hpp"
+#include "scenes.hpp"
+#include "stage.hpp"
+#include "studio.hpp"
+
+#include <OpenImageIO/imagebufalgo.h>
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+
+using namespace render;
+
+namespace {
+
+/// Another processor may round differently, send a path elsewhere and so change its pixel: 2 % of
+/// the pixels may differ by more than 3 levels of 255.
+constexpr float tolerance = 3.0f / 255, tolerated = 0.02f;
+
+OIIO::ImageBuf renderSmall(const std::string &name, std::shared_ptr<const Mesh> mesh) {
+    for (const Scene &scene : scenes()) {
+        if (scene.name != name) continue;
+        RenderSettings settings;
+        settings.width = settings.height = 64;
+        settings.samplesPerPixel = 64;
+        settings.seed = 1;
+        const Picture picture = renderPicture(*stage(std::move(mesh), scene.material()),
+                                              Environment(studio()), stageCamera(), settings);
+        return display(picture, scene.exposure);
+    }
+    throw std::runtime_error("no scene " + name);
+}
+
+void checkGolden(const std::string &name, std::shared_ptr<const Mesh> mesh = nullptr) {
+    const std::filesystem::path file = std::filesystem::path(GOLDEN_DIRECTORY) / (name + ".png");
+    const OIIO::ImageBuf rendered = renderSmall(name, std::move(mesh));
+    if (std::getenv("PELLICLE_RENEW_GOLDENS")) {
+        writePng(rendered, file);
+        return;
+    }
+    OIIO::ImageBuf golden(file.string());
+    REQUIRE_MESSAGE(golden.read(0, 0, true, OIIO::TypeFloat), golden.geterror());
+    const auto difference = OIIO::ImageBufAlgo::compare(rendered, golden, tolerance, tolerance);
+    const auto pixels = static_cast<float>(golden.spec().image_pixels());
+    CAPTURE(difference.nfail);
+    CAPTURE(difference.maxerror);
+    CAPTURE(difference.meanerror);
+    CHECK(static_cast<float>(difference.nfail) <= tolerated * pixels);
+}
+
+} // namespace
+
+TEST_SUITE_BEGIN("goldens");
+
+TEST_CASE("golden of figure 2") { checkGolden("fig2-colourful"); }
+
+TEST_CASE("golden of figure 3, on a mesh") {
+    auto bunny = std::make_shared<Mesh>(readObj(BUNNY));
+    standOnFloor(*bunny);
+    checkGolden("fig3-deviated", std::move(bunny));
+}
+
+TEST_CASE("golden of figure 4") { checkGolden("fig4-oil"); }
+
+TEST_CASE("golden of figure 5") { checkGolden("fig5-medium"); }
+
+TEST_SUITE_END();
