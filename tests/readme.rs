@@ -12,12 +12,15 @@ const END: &str = "<!-- models: end -->";
 
 fn range(param: &ParamInfo) -> (String, String) {
     match param.kind {
-        ParamKind::Number { min, max, default, .. } => {
-            (format!("{min} .. {max}"), format!("{default}"))
-        }
+        ParamKind::Number {
+            min, max, default, ..
+        } => (format!("{min} .. {max}"), format!("{default}")),
         ParamKind::Direction { min_z } => (format!("z >= {min_z}"), "(0, 0, 1)".to_owned()),
         ParamKind::Choice { choices } => {
-            let names: Vec<_> = choices.iter().map(|choice| choice.to_str().unwrap()).collect();
+            let names: Vec<_> = choices
+                .iter()
+                .map(|choice| choice.to_str().unwrap())
+                .collect();
             (names.join(", "), names[0].to_owned())
         }
     }
@@ -60,8 +63,12 @@ fn section(entry: &Entry) -> String {
 fn the_table_of_models_is_current() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
     let readme = fs::read_to_string(&path).unwrap();
-    let (before, rest) = readme.split_once(BEGIN).expect("README.md has lost its models marker");
-    let (table, after) = rest.split_once(END).expect("README.md has lost its end marker");
+    let (before, rest) = readme
+        .split_once(BEGIN)
+        .expect("README.md has lost its models marker");
+    let (table, after) = rest
+        .split_once(END)
+        .expect("README.md has lost its end marker");
     let sections: Vec<String> = models().iter().map(section).collect();
     let current = format!("\n{}\n", sections.join("\n"));
     if std::env::var_os("PELLICLE_RENEW").is_some() {

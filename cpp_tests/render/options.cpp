@@ -12,7 +12,7 @@ struct Quality {
     const char *name;
     int size, samplesPerPixel;
 };
-constexpr Quality qualities[] = {{"draft", 192, 4}, {"normal", 320, 16}, {"high", 512, 128}};
+constexpr Quality qualities[] = {{"draft", 192, 4}, {"normal", 320, 32}, {"high", 512, 128}};
 
 } // namespace
 
@@ -27,7 +27,7 @@ Options parseCommandLine(int argc, char **argv) {
     app.add_flag("--list", options.list, "List the scenes and end");
     app.add_option("--scene", options.scenes, "Render only this scene; may be repeated");
     app.add_option("--quality", quality,
-                   "draft, normal (default) or high, which takes twenty times as long: sets --size and --spp")
+                   "draft, normal (default) or high, which takes ten times as long: sets --size and --spp")
         ->check(CLI::IsMember(names));
     app.add_option("--size", size, "Pixels along each side")->check(CLI::Range(16, 8192));
     app.add_option("--spp", samplesPerPixel, "Samples per pixel; powers of two are best")

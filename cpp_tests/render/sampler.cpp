@@ -1,6 +1,7 @@
 #include "sampler.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace render {
 namespace {
@@ -64,11 +65,17 @@ int ceilLog2(std::uint32_t v) {
     return log2;
 }
 
-constexpr std::uint8_t permutations[24][4] = {
-    {0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 1, 3}, {0, 2, 3, 1}, {0, 3, 2, 1}, {0, 3, 1, 2},
-    {1, 0, 2, 3}, {1, 0, 3, 2}, {1, 2, 0, 3}, {1, 2, 3, 0}, {1, 3, 2, 0}, {1, 3, 0, 2},
-    {2, 1, 0, 3}, {2, 1, 3, 0}, {2, 0, 1, 3}, {2, 0, 3, 1}, {2, 3, 0, 1}, {2, 3, 1, 0},
-    {3, 1, 2, 0}, {3, 1, 0, 2}, {3, 2, 1, 0}, {3, 2, 0, 1}, {3, 0, 2, 1}, {3, 0, 1, 2}};
+/// All orders of four digits.
+std::array<std::array<std::uint8_t, 4>, 24> allPermutations() {
+    std::array<std::array<std::uint8_t, 4>, 24> all;
+    std::array<std::uint8_t, 4> order{0, 1, 2, 3};
+    for (auto &permutation : all) {
+        permutation = order;
+        std::next_permutation(order.begin(), order.end());
+    }
+    return all;
+}
+const auto permutations = allPermutations();
 
 } // namespace
 

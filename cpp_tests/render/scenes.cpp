@@ -82,12 +82,12 @@ const std::vector<Scene> &scenes() {
         scene("fig3-parallel", "Figure 3: parallel boundaries\n66-76 nm, 1.4 / 1.45 / 1.6", figure3(0.7f)),
         scene("fig3-deviated", "Figure 3: deviation 10 degrees\n66-76 nm, 1.4 / 1.45 / 1.6",
               figure3Deviated()),
-        scene("fig4-oil", "Figure 4: deviation follows thickness\n66-76 nm, specular only", figure4(), 1),
+        scene("fig4-oil", "Figure 4: deviation follows thickness\n66-76 nm, specular only", figure4(), 0.8f),
         scene("fig5-thin", "Figure 5: deviation 14 degrees\n1-30 nm, 1.5 / 1.6 / 1.8", figure5(1, 30), -0.4f),
         scene("fig5-medium", "Figure 5: deviation 14 degrees\n79-106 nm, 1.5 / 1.6 / 1.8", figure5(79, 106)),
-        scene("fig5-thick", "Figure 5: deviation 14 degrees\n146-200 nm, 1.5 / 1.6 / 1.8", figure5(146, 200)),
+        scene("fig5-thick", "Figure 5: deviation 14 degrees\n146-200 nm, 1.5 / 1.6 / 1.8", figure5(146, 200), -0.2f),
         scene("fig5-thick-energy", "Figure 5, energy-conserving variant\n146-200 nm, weights 2/3 and 1/3",
-              conserving(figure5(146, 200)), -1),
+              conserving(figure5(146, 200)), -0.6f),
     };
     return all;
 }

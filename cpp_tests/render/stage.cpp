@@ -8,7 +8,7 @@ std::unique_ptr<World> stage(std::shared_ptr<const Mesh> mesh, std::shared_ptr<c
     // the background its depth.
     auto paint = std::make_shared<Material>(
         pellicle::BsdfBuilder("lambert"),
-        std::vector<VaryingParameter>{{"reflectance", 0, 1, fadingGrey(0.22f, 0.035f, 0.5f, 12.0f)}});
+        std::vector<VaryingParameter>{{"reflectance", 0, 1, fadingGrey(0.2f, 0.03f, 0.5f, 11.0f)}});
     world->add(std::make_shared<Mesh>(square(60)), std::move(paint));
     if (mesh)
         world->add(std::move(mesh), std::move(material));

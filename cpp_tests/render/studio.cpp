@@ -15,7 +15,8 @@ const SoftBox boxes[] = {
     {-132, 38, 4, 44, 14, Rgb(57, 55, 52)},     // key: from the left and in front
     {118, 28, 6, 46, -10, Rgb(9, 9.5f, 10.5f)}, // fill: from the right
     {38, 34, 7, 36, 0, Rgb(14, 14, 14.7f)},     // rim: from behind
-    {-60, 70, 18, 18, 0, Rgb(6, 6, 6)},         // overhead
+    {-50, 66, 36, 22, 20, Rgb(3.6f, 3.6f, 3.6f)}, // overhead
+    {172, 14, 60, 9, 0, Rgb(1.2f, 1.2f, 1.2f)}, // a low strip in front, for what faces the viewer
 };
 
 /// Radiance falls to 0 over this fraction of a box's half width and height.
