@@ -37,6 +37,12 @@ impl<T: Real> Complex<T> {
         self.re.squared() + self.im.squared()
     }
 
+    /// Whether both parts are equal.
+    #[inline(always)]
+    pub fn equals(self, other: Self) -> T::Mask {
+        self.re.equals(other.re) & self.im.equals(other.im)
+    }
+
     /// The greater of |re| and |im|: within a factor sqrt(2) of |z|, and without its underflow.
     #[inline(always)]
     pub fn magnitude(self) -> T {
@@ -67,7 +73,10 @@ impl<T: Real> Complex<T> {
     /// `yes` where the mask is set, `no` elsewhere.
     #[inline(always)]
     pub fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
-        Self::new(T::select(mask, yes.re, no.re), T::select(mask, yes.im, no.im))
+        Self::new(
+            T::select(mask, yes.re, no.re),
+            T::select(mask, yes.im, no.im),
+        )
     }
 }
 

@@ -25,7 +25,10 @@ pub struct Named {
 #[derive(Debug)]
 enum Formula {
     /// sum c_j T_j(u), u = (lambda_nm - 580) / 200, for the index and for the extinction.
-    Chebyshev { eta: &'static [f64], k: &'static [f64] },
+    Chebyshev {
+        eta: &'static [f64],
+        k: &'static [f64],
+    },
     /// eta = 1.
     Vacuum,
     /// eta = 1 + sum b / (c - 1 / lambda^2): a gas.
@@ -55,6 +58,11 @@ impl Named {
         matches!(self.formula, Formula::Chebyshev { k, .. } if !k.is_empty())
     }
 
+    /// The index, if it is the same at every wavelength.
+    pub fn constant(&self) -> Option<Complex<f64>> {
+        matches!(self.formula, Formula::Vacuum).then_some(Complex::real(1.0))
+    }
+
     /// The complex index; constant outside 380-780 nm.
     pub fn index(&self, wavelength_nm: f64) -> Complex<f64> {
         let nm = wavelength_nm.clamp(RANGE_NM[0], RANGE_NM[1]);
@@ -67,13 +75,21 @@ impl Named {
             }
             Formula::Vacuum => 1.0,
             Formula::Gas { terms } => {
-                1.0 + terms.iter().map(|[b, c]| b / (c - 1.0 / um_squared)).sum::<f64>()
+                1.0 + terms
+                    .iter()
+                    .map(|[b, c]| b / (c - 1.0 / um_squared))
+                    .sum::<f64>()
             }
             Formula::Sellmeier { terms } => {
-                let sum: f64 = terms.iter().map(|[b, c]| b * um_squared / (um_squared - c)).sum();
+                let sum: f64 = terms
+                    .iter()
+                    .map(|[b, c]| b * um_squared / (um_squared - c))
+                    .sum();
                 (1.0 + sum).sqrt()
             }
-            Formula::CauchyNm { coefficients: [a, b, c] } => a + (b + c / nm.powi(2)) / nm.powi(2),
+            Formula::CauchyNm {
+                coefficients: [a, b, c],
+            } => a + (b + c / nm.powi(2)) / nm.powi(2),
         };
         Complex::real(eta)
     }
@@ -89,7 +105,7 @@ fn chebyshev(coefficients: &[f64], u: f64) -> f64 {
 }
 
 #[rustfmt::skip] // one series per line
-static MEDIA: [Named; 24] = [
+static MEDIA: [Named; 23] = [
     Named {
         name: "vacuum",
         aliases: &[],
@@ -277,7 +293,7 @@ static MEDIA: [Named; 24] = [
     },
     Named {
         name: "Fe2O3",
-        aliases: &["hematite", "rust"],
+        aliases: &["hematite"],
         source: "Querry 1985 (ordinary)",
         formula: Formula::Chebyshev {
             // max |error| of the fit 0.0384
@@ -316,11 +332,5 @@ static MEDIA: [Named; 24] = [
         aliases: &["immersion oil"],
         source: "Cargille Laboratories, data sheet of Immersion Oil Type B, 23 C (within ISO 8036)",
         formula: Formula::CauchyNm { coefficients: [1.498304, 5.456721e3, 1.203987e8] },
-    },
-    Named {
-        name: "diamond",
-        aliases: &[],
-        source: "Peter 1923",
-        formula: Formula::Sellmeier { terms: &[[0.3306, 0.030625], [4.3356, 0.011236]] },
     },
 ];

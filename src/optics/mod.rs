@@ -1,9 +1,21 @@
-//! Optics of one interface: Fresnel reflectance and refraction.
+//! Optics: one interface (Fresnel reflectance, refraction), media and their complex indices, layers
+//! by wave optics, and colour from spectra.
 
+mod color;
+mod complex;
+mod dispersion;
 mod fresnel;
+mod media;
+mod reference;
 mod refraction;
+pub mod stack;
 
+pub use color::{ChannelWeights, ColorSpace, VISIBLE_NM, White, matching_functions};
+pub use complex::Complex;
+pub use dispersion::Medium;
 pub use fresnel::{normal_reflectance, schlick, schlick_transmittance};
+pub use media::Named;
+pub use reference::{Converged, Reference, TOLERANCE};
 pub use refraction::Interface;
 
 /// The wavelengths that stand for red, green and blue, nm (GH02 section 1).

@@ -1,15 +1,17 @@
-"""Prints the vectors of tests/optics_vectors.rs: R and T of layer stacks by the package tmm 0.2.0
+"""Prints tests/data/tmm_vectors.csv, for tests/optics_vectors.rs: R and T of layer stacks by the package tmm 0.2.0
 (S. Byrnes), and colours from those with the CIE 1931 1 nm table.
 
     python3 -m venv tmmenv && tmmenv/bin/pip install tmm==0.2.0 numpy
-    tmmenv/bin/python tests/data/tmm_vectors.py
+    tmmenv/bin/python tests/data/tmm_vectors.py > tests/data/tmm_vectors.csv
 
 Nothing here shares code or tables with the library, but for the two named media, whose Chebyshev
 coefficients are read from src/optics/media.rs.
 """
 
+import contextlib
 import pathlib
 import re
+import sys
 
 import numpy as np
 from tmm import coh_tmm
@@ -32,7 +34,7 @@ STACKS = [
     ("thick gold", 1.0, [(0.3 + 2.5j, 5000.0)], 1.5),
     ("perfect metal", 1.0, [(1.5, 200.0)], 1.0 + 1000.0j),
     ("dense ambient", 1.5, [(1.0, 250.0)], 1.5),
-    ("dense ambient, metal", 1.5, [(1.33, 150.0)], 0.05 + 3.7j),
+    ("dense ambient on metal", 1.5, [(1.33, 150.0)], 0.05 + 3.7j),
     ("surface plasmon", 1.515, [(0.06 + 3.6j, 48.0)], 1.0),
     ("mirror", 1.0, quarter_wave(8), 1.52),
     ("cavity", 1.0, quarter_wave(4) + [(1.46, 525 / 2 / 1.46)] + quarter_wave(4)[::-1], 1.52),
@@ -50,21 +52,24 @@ def response(stack, cosine, nm, from_base=False):
     d = [np.inf] + [thickness for _, thickness in layers] + [np.inf]
     if from_base:
         n, d = n[::-1], d[::-1]
-    found = [coh_tmm(pol, n, d, np.arccos(cosine), nm) for pol in "sp"]
+    with contextlib.redirect_stdout(sys.stderr):  # tmm prints a warning about opaque layers
+        found = [coh_tmm(pol, n, d, np.arccos(cosine), nm) for pol in "sp"]
     return [result[key] for key in "RT" for result in found]
 
 
 def print_vectors():
+    print("# by tests/data/tmm_vectors.py")
+    print("# stack, side, wavelength (nm), cosine, R of s, R of p, T of s, T of p")
     for stack in STACKS:
         for nm in WAVELENGTHS:
             for cosine in COSINES:
-                numbers = ", ".join(f"{x:.15e}" for x in response(stack, cosine, nm))
-                print(f'    ("{stack[0]}", Side::Ambient, {nm}, {cosine}, [{numbers}]),')
+                numbers = ",".join(f"{x:.15e}" for x in response(stack, cosine, nm))
+                print(f"{stack[0]},ambient,{nm},{cosine},{numbers}")
     for stack in STACKS:
         if np.imag(stack[3]) == 0:
             for cosine in COSINES[1:4]:
-                numbers = ", ".join(f"{x:.15e}" for x in response(stack, cosine, 500.0, True))
-                print(f'    ("{stack[0]}", Side::Base, 500.0, {cosine}, [{numbers}]),')
+                numbers = ",".join(f"{x:.15e}" for x in response(stack, cosine, 500.0, True))
+                print(f"{stack[0]},base,500.0,{cosine},{numbers}")
 
 
 def chebyshev(name, quantity, nm):
@@ -96,8 +101,9 @@ REC709 = np.array([[3.2404542, -1.5371385, -0.4985314],
 
 
 def print_colors():
+    print("# stack, white, cosine, red, green, blue of R (linear Rec.709)")
     table = np.loadtxt(HERE / "cie1931_2deg_d65_1nm.csv", delimiter=",", skiprows=2)
-    step = 0.125
+    step = 0.0625
     nm = np.arange(380, 780 + step / 2, step)
     x, y, z, d65 = [np.interp(nm, table[:, 0], table[:, i]) for i in range(1, 5)]
     ends = np.where((nm == 380) | (nm == 780), 0.5, 1.0)
@@ -110,7 +116,7 @@ def print_colors():
         for white, power in [("E", np.ones_like(nm)), ("D65", d65)]:
             weights = REC709 @ np.array([x, y, z]) * power * ends
             rgb = weights @ spectrum / weights.sum(axis=1)
-            print(f'    ("{name}", White::{white}, [{", ".join(f"{c:.9f}" for c in rgb)}]),')
+            print(f"{name},{white},{cosine},{','.join(f'{c:.9f}' for c in rgb)}")
 
 
 print_vectors()

@@ -1,0 +1,179 @@
+//! The complex index of a medium as a function of wavelength.
+
+use super::media::Named;
+use super::{Complex, RGB_WAVELENGTHS_NM};
+use crate::error::Error;
+
+/// Allowed eta in a caller's numbers. The least is far below any metal's and keeps the permittivity
+/// away from 0, where p-polarised fields have no bound.
+const ETA_RANGE: [f64; 2] = [1e-3, 1e3];
+/// Allowed k in a caller's numbers.
+const K_RANGE: [f64; 2] = [0.0, 1e3];
+/// Allowed eta of the medium that light arrives in.
+const AMBIENT_ETA_RANGE: [f64; 2] = [1.0, 1e3];
+
+/// A homogeneous medium; its index eta + i k, k >= 0, relative to vacuum.
+#[derive(Clone, Debug)]
+pub struct Medium(Kind);
+
+#[derive(Clone, Debug)]
+enum Kind {
+    Named(&'static Named),
+    /// At [`RGB_WAVELENGTHS_NM`], with the wavelengths' inverse squares descending there.
+    Rgb([Complex<f64>; 3]),
+    Table {
+        lambda_nm: Box<[f64]>,
+        index: Box<[Complex<f64>]>,
+    },
+}
+
+impl Medium {
+    /// eta = 1, k = 0.
+    pub fn vacuum() -> Self {
+        Self(Kind::Rgb([Complex::real(1.0); 3]))
+    }
+
+    /// A medium of [`Named::all`] by its name or an alias; upper and lower case are alike.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        let names = || {
+            Named::all()
+                .iter()
+                .flat_map(|m| std::iter::once(m.name).chain(m.aliases.iter().copied()))
+        };
+        Named::find(name)
+            .map(|named| Self(Kind::Named(named)))
+            .ok_or_else(|| Error::unknown("medium", name, names()))
+    }
+
+    /// Three values each for 645, 525 and 445 nm; eta in [1e-3, 1e3], k in [0, 1e3].
+    ///
+    /// Linear in 1 / lambda^2 between them, the first terms of Cauchy's formula, and constant
+    /// outside. Three equal values are a constant.
+    pub fn rgb(eta: [f64; 3], k: [f64; 3]) -> Result<Self, Error> {
+        check("eta", &eta, ETA_RANGE)?;
+        check("k", &k, K_RANGE)?;
+        Ok(Self(Kind::Rgb(std::array::from_fn(|c| {
+            Complex::new(eta[c], k[c])
+        }))))
+    }
+
+    /// Measured values at ascending wavelengths (nm): linear between them, constant outside.
+    /// Ranges as in [`Medium::rgb`].
+    pub fn table(lambda_nm: &[f64], eta: &[f64], k: &[f64]) -> Result<Self, Error> {
+        let (count, counts) = (lambda_nm.len(), [eta.len(), k.len()]);
+        if count == 0 || counts != [count; 2] {
+            return Err(Error::invalid(format!(
+                "a table of measured indices needs equally many table_nm, table_eta and table_k, \
+                 at least 1, not {count}, {} and {}",
+                counts[0], counts[1]
+            )));
+        }
+        check("table_nm", lambda_nm, [1.0, 1e6])?;
+        check("table_eta", eta, ETA_RANGE)?;
+        check("table_k", k, K_RANGE)?;
+        if let Some(at) = lambda_nm.windows(2).position(|pair| pair[0] >= pair[1]) {
+            return Err(Error::out_of_range(format!(
+                "table_nm[{}] = {} does not ascend from {}",
+                at + 1,
+                lambda_nm[at + 1],
+                lambda_nm[at]
+            )));
+        }
+        let index = eta
+            .iter()
+            .zip(k)
+            .map(|(&eta, &k)| Complex::new(eta, k))
+            .collect();
+        Ok(Self(Kind::Table {
+            lambda_nm: lambda_nm.into(),
+            index,
+        }))
+    }
+
+    /// The complex index at a vacuum wavelength.
+    pub fn index(&self, wavelength_nm: f64) -> Complex<f64> {
+        match &self.0 {
+            Kind::Named(named) => named.index(wavelength_nm),
+            Kind::Rgb(index) => {
+                let [u0, u1, u2] = RGB_WAVELENGTHS_NM.map(inverse_square);
+                let u = inverse_square(wavelength_nm);
+                if u < u1 {
+                    mix(index[0], index[1], (u - u0) / (u1 - u0))
+                } else {
+                    mix(index[1], index[2], (u - u1) / (u2 - u1))
+                }
+            }
+            Kind::Table { lambda_nm, index } => {
+                let above = lambda_nm.partition_point(|&nm| nm <= wavelength_nm);
+                let (Some(below), true) = (above.checked_sub(1), above < index.len()) else {
+                    return index[above.min(index.len() - 1)];
+                };
+                let t = (wavelength_nm - lambda_nm[below]) / (lambda_nm[above] - lambda_nm[below]);
+                mix(index[below], index[above], t)
+            }
+        }
+    }
+
+    /// The index, if it is the same at every wavelength.
+    pub fn constant(&self) -> Option<Complex<f64>> {
+        match &self.0 {
+            Kind::Named(named) => named.constant(),
+            Kind::Rgb(index) => all_equal(index),
+            Kind::Table { index, .. } => all_equal(index),
+        }
+    }
+
+    /// Whether k > 0 somewhere in the visible range, or in the caller's numbers.
+    pub fn absorbs(&self) -> bool {
+        match &self.0 {
+            Kind::Named(named) => named.absorbs(),
+            Kind::Rgb(index) => index.iter().any(|index| index.im > 0.0),
+            Kind::Table { index, .. } => index.iter().any(|index| index.im > 0.0),
+        }
+    }
+
+    /// That light can arrive in this medium from far away: k = 0 and eta >= 1.
+    pub fn check_ambient(&self) -> Result<(), Error> {
+        if self.absorbs() {
+            return Err(Error::out_of_range(
+                "the ambient medium absorbs; it must have k = 0",
+            ));
+        }
+        match &self.0 {
+            Kind::Named(_) => Ok(()), // every transparent one has eta >= 1
+            Kind::Rgb(index) => check_ambient_eta(index),
+            Kind::Table { index, .. } => check_ambient_eta(index),
+        }
+    }
+}
+
+fn check_ambient_eta(index: &[Complex<f64>]) -> Result<(), Error> {
+    let eta: Vec<f64> = index.iter().map(|index| index.re).collect();
+    check("eta of the ambient medium", &eta, AMBIENT_ETA_RANGE)
+}
+
+fn check(name: &str, values: &[f64], [min, max]: [f64; 2]) -> Result<(), Error> {
+    let Some(at) = values.iter().position(|value| !(min..=max).contains(value)) else {
+        return Ok(());
+    };
+    let value = values[at];
+    Err(Error::out_of_range(format!(
+        "{name}[{at}] = {value} is outside [{min}, {max}]"
+    )))
+}
+
+fn inverse_square(wavelength_nm: f64) -> f64 {
+    1.0 / (wavelength_nm * wavelength_nm)
+}
+
+/// a + (b - a) t with t held in [0, 1]: exactly a for a = b.
+fn mix(a: Complex<f64>, b: Complex<f64>, t: f64) -> Complex<f64> {
+    a + (b - a).scaled(t.clamp(0.0, 1.0))
+}
+
+fn all_equal(index: &[Complex<f64>]) -> Option<Complex<f64>> {
+    index
+        .iter()
+        .all(|other| *other == index[0])
+        .then_some(index[0])
+}

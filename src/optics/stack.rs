@@ -1,0 +1,374 @@
+//! Reflectance and transmittance of plane layers between two half-spaces, at one wavelength.
+//!
+//! The tangential fields are carried from the far half-space to the near one (Abeles 1950; Macleod,
+//! "Thin-Film Optical Filters", section 2). With q = n cos theta in units of 2 pi / lambda and the
+//! immittance w = q for s, q / n^2 for p (the ratio of the tangential fields: H over E, E over H), a
+//! layer of thickness d maps the two fields (U, V), U = w V in the far half-space, by
+//!
+//! ```text
+//! U' = c U + w s V         c = (1 + E) / 2        E = exp(2 i q d 2 pi / lambda)
+//! V' = c V + (s / w) U     s = (1 - E) / 2
+//! R  = |(w0 V - U) / (w0 V + U)|^2
+//! T  = 4 w0 Re(w_far) prod |E| / |w0 V + U|^2
+//! ```
+//!
+//! which is the characteristic matrix times exp(i q d 2 pi / lambda). With Im q >= 0 no exponential
+//! grows, however thick and absorbing the layer; and unlike the amplitudes r + r' E of a sum over
+//! reflections, U and w0 V keep their digits when a thin film is seen at grazing angles, where r goes
+//! to -1. In the quotient the fields' scale does not matter, so they are scaled down when large.
+
+use super::Complex;
+use crate::math::{Mask, PI, Real};
+
+/// The index of the s polarisation (E parallel to the layers) in pairs.
+pub const S: usize = 0;
+/// The index of the p polarisation (H parallel to the layers) in pairs.
+pub const P: usize = 1;
+
+/// Below this, |w0 V + U| is taken for 0: cosine and film are both too small to reflect.
+const VANISHED: f64 = 1e-37;
+/// Fields above this are scaled to 1; its square is within single precision.
+const LARGE: f64 = 1e12;
+/// q^2 below this counts as q = 0 (the critical angle, exactly) in s / q.
+const CRITICAL: f64 = 1e-30;
+
+/// One layer.
+#[derive(Clone, Copy, Debug)]
+pub struct Layer<T> {
+    /// Complex index.
+    pub index: Complex<T>,
+    /// Thickness >= 0, nm.
+    pub thickness_nm: T,
+}
+
+/// Layers between an ambient medium and a base.
+#[derive(Clone, Copy, Debug)]
+pub struct Stack<'a, T> {
+    /// Index of the ambient medium, >= 1, not absorbing.
+    pub ambient: T,
+    /// The layers, the ambient's neighbour first.
+    pub layers: &'a [Layer<T>],
+    /// Complex index of the base.
+    pub base: Complex<T>,
+}
+
+/// Where the light comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// From the ambient medium.
+    Ambient,
+    /// From the base; if that absorbs, nothing arrives, and nothing is reflected or transmitted.
+    Base,
+}
+
+/// The parts of the power that are reflected and that enter the far half-space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Response<T> {
+    /// R for s and p.
+    pub reflectance: [T; 2],
+    /// T for s and p. Into an absorbing half-space: what crosses its surface.
+    pub transmittance: [T; 2],
+}
+
+impl<T: Real> Response<T> {
+    /// R of unpolarised light.
+    #[inline(always)]
+    pub fn unpolarized_reflectance(&self) -> T {
+        (self.reflectance[S] + self.reflectance[P]) * T::new(0.5)
+    }
+
+    /// T of unpolarised light.
+    #[inline(always)]
+    pub fn unpolarized_transmittance(&self) -> T {
+        (self.transmittance[S] + self.transmittance[P]) * T::new(0.5)
+    }
+
+    /// A = 1 - R - T for s and p: what the layers absorb.
+    #[inline(always)]
+    pub fn absorptance(&self) -> [T; 2] {
+        [S, P].map(|pol| T::new(1.0) - self.reflectance[pol] - self.transmittance[pol])
+    }
+}
+
+impl<T: Real<Mask = bool>> Stack<'_, T> {
+    /// The response to a plane wave whose direction has the cosine `cos_theta`, in [0, 1], in the
+    /// half-space that it comes from. Total internal reflection and cosine 0 are included: there
+    /// R = 1, unless nothing differs from the near half-space; then R = 0 at every cosine.
+    ///
+    /// Exactly, not only in the limit: a layer of thickness 0 does nothing, neighbours of equal
+    /// index are one layer, and a layer like the half-space beside it changes no reflectance.
+    pub fn respond(&self, side: Side, cos_theta: T, wavelength_nm: T) -> Response<T> {
+        self.respond_with_poles(side, cos_theta, wavelength_nm).0
+    }
+
+    /// The response, and for s and p the denominators w0 V + U: smooth functions of the wavelength
+    /// whose near-zeros are the resonances.
+    pub(super) fn respond_with_poles(
+        &self,
+        side: Side,
+        cos_theta: T,
+        wavelength_nm: T,
+    ) -> (Response<T>, [Complex<T>; 2]) {
+        let layers = self.layers.iter().copied();
+        let ambient = Complex::real(self.ambient);
+        match side {
+            Side::Ambient => {
+                let incidence = Incidence::new(self.ambient, cos_theta);
+                cross(incidence, layers.rev(), self.base, wavelength_nm)
+            }
+            Side::Base if self.base.im.gt(T::new(0.0)) => (
+                Response {
+                    reflectance: [T::new(0.0); 2],
+                    transmittance: [T::new(0.0); 2],
+                },
+                [Complex::real(T::new(1.0)); 2],
+            ),
+            Side::Base => {
+                let incidence = Incidence::new(self.base.re, cos_theta);
+                cross(incidence, layers, ambient, wavelength_nm)
+            }
+        }
+    }
+}
+
+/// Carries the fields through layers given from the far half-space to the near one.
+#[inline(always)]
+fn cross<T: Real<Mask = bool>>(
+    near: Incidence<T>,
+    layers: impl Iterator<Item = Layer<T>>,
+    far: Complex<T>,
+    wavelength_nm: T,
+) -> (Response<T>, [Complex<T>; 2]) {
+    let far_wave = near.wave(far);
+    let mut fields = [S, P].map(|pol| Fields::behind(&far_wave, pol));
+    // The medium that the fields have reached, and how much of it has not been crossed yet.
+    let mut reached = Layer {
+        index: far,
+        thickness_nm: T::new(0.0),
+    };
+    let mut is_far = true;
+    let mut cross_reached = |reached: Layer<T>, is_far: bool| {
+        let slab = Slab::new(
+            &near.wave(reached.index),
+            reached.thickness_nm,
+            wavelength_nm,
+        );
+        for (pol, fields) in fields.iter_mut().enumerate() {
+            *fields = if is_far {
+                fields.weakened(&slab)
+            } else {
+                fields.through(&slab, pol)
+            };
+        }
+    };
+    for layer in layers.filter(|layer| layer.thickness_nm.gt(T::new(0.0))) {
+        if layer.index.equals(reached.index) {
+            reached.thickness_nm = reached.thickness_nm + layer.thickness_nm;
+        } else {
+            if reached.thickness_nm.gt(T::new(0.0)) {
+                cross_reached(reached, is_far);
+            }
+            (reached, is_far) = (layer, false);
+        }
+    }
+    // Through what is like the near half-space, the wave changes its phase only.
+    let is_near = reached.index.equals(Complex::real(near.index));
+    if !is_near && reached.thickness_nm.gt(T::new(0.0)) {
+        cross_reached(reached, is_far);
+    }
+    let near_immittance = near.immittance();
+    let ends = [S, P].map(|pol| fields[pol].meet(near_immittance[pol], far_wave.immittance[pol]));
+    let response = Response {
+        reflectance: [ends[S].reflectance, ends[P].reflectance],
+        transmittance: [ends[S].transmittance, ends[P].transmittance],
+    };
+    (response, [ends[S].pole, ends[P].pole])
+}
+
+/// A plane wave in the near half-space.
+#[derive(Clone, Copy, Debug)]
+pub struct Incidence<T> {
+    index: T,
+    /// n0 cos theta.
+    normal: T,
+    /// cos theta / n0.
+    normal_over_permittivity: T,
+}
+
+impl<T: Real> Incidence<T> {
+    /// In a medium of real index, at a cosine in [0, 1].
+    #[inline(always)]
+    pub fn new(index: T, cos_theta: T) -> Self {
+        Self {
+            index,
+            normal: index * cos_theta,
+            normal_over_permittivity: cos_theta / index,
+        }
+    }
+
+    /// w for s and p.
+    #[inline(always)]
+    pub fn immittance(&self) -> [T; 2] {
+        [self.normal, self.normal_over_permittivity]
+    }
+
+    /// The wave with the same tangential part in a medium of complex index.
+    ///
+    /// q^2 = n^2 - n0^2 sin^2 = (n - n0)(n + n0) + (n0 cos)^2, which has no cancellation at grazing
+    /// angles. Im q >= 0: the wave decays away from the light, in absorbing media and beyond the
+    /// critical angle alike.
+    #[inline(always)]
+    pub fn wave(&self, index: Complex<T>) -> Wave<T> {
+        let near = Complex::real(self.index);
+        let difference = (index - near) * (index + near);
+        let q_squared = difference + Complex::real(self.normal.squared());
+        let is_near = index.equals(near);
+        // The root of a square can be an ulp off, or underflow.
+        let q = Complex::select(is_near, Complex::real(self.normal), q_squared.sqrt_upper());
+        let ratio = q * (index * index).inverse();
+        let near_ratio = Complex::real(self.normal_over_permittivity);
+        Wave {
+            index,
+            immittance: [q, Complex::select(is_near, near_ratio, ratio)],
+        }
+    }
+}
+
+/// A plane wave in one medium.
+#[derive(Clone, Copy, Debug)]
+pub struct Wave<T> {
+    index: Complex<T>,
+    /// w for s and p; for s it is q itself.
+    pub immittance: [Complex<T>; 2],
+}
+
+/// What a layer does to the fields.
+#[derive(Clone, Copy, Debug)]
+pub struct Slab<T> {
+    /// c = (1 + E) / 2.
+    cosine: Complex<T>,
+    /// w s for s and p.
+    forth: [Complex<T>; 2],
+    /// s / w for s and p.
+    back: [Complex<T>; 2],
+    /// |E|, the factor of the power.
+    decay: T,
+}
+
+impl<T: Real> Slab<T> {
+    /// A layer of a thickness, crossed by a wave.
+    #[inline(always)]
+    pub fn new(wave: &Wave<T>, thickness_nm: T, wavelength_nm: T) -> Self {
+        let one = T::new(1.0);
+        let q = wave.immittance[S];
+        let thickness = thickness_nm / wavelength_nm;
+        // E = exp(2 i a - b) with a in half turns. 1 - E by parts that keep their digits near 0.
+        let half_turns = q.re * thickness;
+        let b = q.im * thickness * T::new(4.0 * PI);
+        let (sin, cos) = (half_turns.sin_turns(), half_turns.cos_turns());
+        let absorbs = b.gt(T::new(0.0)).any();
+        let loss = if absorbs { -(-b).exp_m1() } else { T::new(0.0) };
+        let decay = one - loss;
+        let half = T::new(0.5);
+        let sine = Complex::new(loss * half + decay * sin.squared(), -(decay * sin * cos));
+        let cosine = Complex::real(one) - sine;
+        let permittivity = wave.index * wave.index;
+        // s / q -> -2 pi i d / lambda at the critical angle.
+        let is_critical = q.norm_squared().lt(T::new(CRITICAL));
+        let safe = Complex::select(is_critical, Complex::real(one), q);
+        let limit = Complex::new(T::new(0.0), -(thickness * T::new(2.0 * PI)));
+        let over_q = Complex::select(is_critical, limit, sine * safe.inverse());
+        Self {
+            cosine,
+            forth: wave.immittance.map(|w| w * sine),
+            back: [over_q, over_q * permittivity],
+            decay,
+        }
+    }
+}
+
+/// The tangential fields of one polarisation, up to a common factor.
+#[derive(Clone, Copy, Debug)]
+pub struct Fields<T> {
+    u: Complex<T>,
+    v: Complex<T>,
+    /// prod |E|, times the square of `scale`.
+    weight: T,
+    /// The factors that the fields were scaled by.
+    scale: T,
+}
+
+/// R and T of one polarisation, and w0 V + U.
+struct End<T> {
+    reflectance: T,
+    transmittance: T,
+    pole: Complex<T>,
+}
+
+impl<T: Real> Fields<T> {
+    /// At the surface of the far half-space, from where nothing returns: U = w V.
+    #[inline(always)]
+    pub fn behind(far: &Wave<T>, pol: usize) -> Self {
+        let one = T::new(1.0);
+        Self {
+            u: far.immittance[pol],
+            v: Complex::real(one),
+            weight: one,
+            scale: one,
+        }
+    }
+
+    /// Through a layer like the far half-space, from where nothing returns either.
+    #[inline(always)]
+    fn weakened(self, slab: &Slab<T>) -> Self {
+        Self {
+            weight: self.weight * slab.decay,
+            ..self
+        }
+    }
+
+    /// Through a layer.
+    #[inline(always)]
+    pub fn through(self, slab: &Slab<T>, pol: usize) -> Self {
+        let fields = Self {
+            u: slab.cosine * self.u + slab.forth[pol] * self.v,
+            v: slab.cosine * self.v + slab.back[pol] * self.u,
+            weight: self.weight * slab.decay,
+            scale: self.scale,
+        };
+        let magnitude = fields.u.magnitude().max(fields.v.magnitude());
+        let is_large = magnitude.gt(T::new(LARGE));
+        if !is_large.any() {
+            return fields;
+        }
+        let one = T::new(1.0);
+        let scale = one / T::select(is_large, magnitude, one);
+        Self {
+            u: fields.u.scaled(scale),
+            v: fields.v.scaled(scale),
+            weight: fields.weight * scale * scale,
+            scale: fields.scale * scale,
+        }
+    }
+
+    /// R, and T into a half-space of the immittance `far`, at the surface of the near half-space.
+    #[inline(always)]
+    fn meet(&self, near: T, far: Complex<T>) -> End<T> {
+        let (zero, one) = (T::new(0.0), T::new(1.0));
+        let incident = self.v.scaled(near) + self.u;
+        let reflected = self.v.scaled(near) - self.u;
+        let magnitude = incident.magnitude();
+        let vanished = magnitude.lt(T::new(VANISHED));
+        let inverse = one / T::select(vanished, one, magnitude);
+        let norm = incident.scaled(inverse).norm_squared();
+        let norm = T::select(vanished, one, norm);
+        let reflectance = reflected.scaled(inverse).norm_squared() / norm;
+        let flux = (near * inverse) * (far.re * inverse);
+        let transmittance = T::new(4.0) * self.weight * flux / norm;
+        End {
+            reflectance: T::select(vanished, zero, reflectance),
+            transmittance: T::select(vanished, one, transmittance),
+            pole: incident.scaled(one / self.scale),
+        }
+    }
+}
