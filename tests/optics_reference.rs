@@ -6,7 +6,6 @@ use pellicle::optics::stack::{Layer, Side, Stack};
 use pellicle::optics::{
     ChannelWeights, ColorSpace, Medium, Reference, TOLERANCE, VISIBLE_NM, White,
 };
-use std::time::Instant;
 
 const SPACES: [ColorSpace; 4] = [
     ColorSpace::Rec709,
@@ -334,84 +333,4 @@ fn extreme_inputs_stay_finite() {
             }
         }
     }
-}
-
-/// Time this thread has spent on a processor, where the system tells; other programs do not count.
-fn seconds() -> f64 {
-    let schedstat = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-    schedstat
-        .split(' ')
-        .next()
-        .and_then(|ns| ns.parse::<f64>().ok())
-        .unwrap_or(0.0)
-        * 1e-9
-}
-
-/// `cargo test --release --test optics_reference -- --ignored --nocapture`
-#[test]
-#[ignore = "a measurement; needs Linux"]
-fn cost() {
-    let five = [1.46, 2.35, 1.46, 2.35, 1.46].map(constant);
-    let cases = [
-        ("bare gold", vec![], named("Au"), vec![]),
-        (
-            "300 nm soap",
-            vec![constant(1.33)],
-            constant(1.0),
-            vec![300.0],
-        ),
-        (
-            "300 nm silica on silicon",
-            vec![named("SiO2")],
-            named("Si"),
-            vec![300.0],
-        ),
-        (
-            "5 layers, 3 um",
-            five.to_vec(),
-            constant(1.5),
-            vec![600.0; 5],
-        ),
-        (
-            "5 layers, 3 um, on gold",
-            five.to_vec(),
-            named("Au"),
-            vec![600.0; 5],
-        ),
-        (
-            "30 um titania on titanium",
-            vec![named("TiO2")],
-            named("Ti"),
-            vec![3e4],
-        ),
-        (
-            "100 um soap",
-            vec![constant(1.33)],
-            constant(1.0),
-            vec![1e5],
-        ),
-    ];
-    for (name, layers, base, thickness_nm) in cases {
-        let stack = reference(&layers, base);
-        let (start, begin) = (seconds(), Instant::now());
-        let (mut points, mut samples) = (0, 0);
-        while begin.elapsed().as_secs_f64() < 0.5 {
-            let cos_theta = ((points * 61) % 97) as f64 / 97.0 + 0.003;
-            samples += stack
-                .evaluate(Side::Ambient, cos_theta, &thickness_nm)
-                .samples;
-            points += 1;
-        }
-        let us = (seconds() - start) * 1e6;
-        println!(
-            "{name}: {:.1} us and {} samples per point, {:.0} ns per sample",
-            us / points as f64,
-            samples / points,
-            us * 1e3 / samples as f64,
-        );
-    }
-    let start = seconds();
-    let built = (0..100).map(|_| reference(&[named("TiO2")], named("Au")).layer_count());
-    assert_eq!(built.sum::<usize>(), 100);
-    println!("building: {:.0} us", (seconds() - start) * 1e4);
 }
