@@ -12,7 +12,7 @@ namespace render {
 struct Options {
     bool list = false;
     std::vector<std::string> scenes; ///< empty: all
-    std::filesystem::path mesh, environment, out = "gallery";
+    std::filesystem::path mesh, environment, out = "out";
     int size, samplesPerPixel;
     int threads = 0;
     std::uint32_t seed = 1;
