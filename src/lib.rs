@@ -29,13 +29,14 @@
 //! # Layers
 //!
 //! A module uses only those to its left (a test keeps it so):
-//! `math -> optics -> lobe -> bsdf -> batch -> capi`. A formula is written once, generic over
+//! `math -> optics -> film -> lobe -> bsdf -> batch -> capi`. A formula is written once, generic over
 //! [`math::Real`]: the `f64` instance is the oracle that tests compare the `f32` instance with.
 
 pub mod batch;
 mod bsdf;
 pub mod capi;
 mod error;
+pub mod film;
 pub mod lobe;
 pub mod math;
 pub mod optics;
