@@ -23,6 +23,19 @@ pub(super) trait Single: Real {
     fn power_of_two(self) -> Self;
 }
 
+/// The functions of this file as methods of a [`Single`] number's [`Real`].
+macro_rules! elementary_methods {
+    ($($method:ident),*) => {
+        $(
+            #[inline(always)]
+            fn $method(self) -> Self {
+                elementary::$method(self)
+            }
+        )*
+    };
+}
+pub(super) use elementary_methods;
+
 /// The bits of sqrt(1/2): subtracted from a number's bits, they make the exponent field count from
 /// there, so that mantissas come out in [sqrt(1/2), sqrt(2)).
 pub(super) const SQRT_HALF_BITS: i32 = 0x3f35_04f3;

@@ -4,7 +4,7 @@
 //! speaks in masks and selections, never in branches, so that a vector of lanes can implement it
 //! and every formula written once serves whole batches too.
 
-use super::elementary;
+use super::elementary::{self, elementary_methods};
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -168,30 +168,7 @@ impl Real for f32 {
         let rounded = (self + shift) - shift;
         if self.abs() < WHOLE { rounded } else { self }
     }
-    #[inline(always)]
-    fn exp(self) -> Self {
-        elementary::exp(self)
-    }
-    #[inline(always)]
-    fn exp_m1(self) -> Self {
-        elementary::exp_m1(self)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        elementary::ln(self)
-    }
-    #[inline(always)]
-    fn ln_1p(self) -> Self {
-        elementary::ln_1p(self)
-    }
-    #[inline(always)]
-    fn cos_turns(self) -> Self {
-        elementary::cos_turns(self)
-    }
-    #[inline(always)]
-    fn sin_turns(self) -> Self {
-        elementary::sin_turns(self)
-    }
+    elementary_methods!(exp, exp_m1, ln, ln_1p, cos_turns, sin_turns);
 }
 
 impl Real for f64 {

@@ -3,7 +3,7 @@
 
 #![allow(unsafe_code)]
 
-use super::super::elementary::{self, Single};
+use super::super::elementary::{self, Single, elementary_methods};
 use super::super::{Element, Mask, Real};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -143,30 +143,7 @@ impl Real for RgbLanes {
             _mm_andnot_ps(mask.0, no.0)
         )))
     }
-    #[inline(always)]
-    fn exp(self) -> Self {
-        elementary::exp(self)
-    }
-    #[inline(always)]
-    fn exp_m1(self) -> Self {
-        elementary::exp_m1(self)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        elementary::ln(self)
-    }
-    #[inline(always)]
-    fn ln_1p(self) -> Self {
-        elementary::ln_1p(self)
-    }
-    #[inline(always)]
-    fn cos_turns(self) -> Self {
-        elementary::cos_turns(self)
-    }
-    #[inline(always)]
-    fn sin_turns(self) -> Self {
-        elementary::sin_turns(self)
-    }
+    elementary_methods!(exp, exp_m1, ln, ln_1p, cos_turns, sin_turns);
 }
 
 impl Single for RgbLanes {
