@@ -19,38 +19,30 @@ pub trait Element: Real {
     fn channels(rgb: Self::Rgb) -> [Self; 3];
 }
 
-impl Element for f64 {
-    type Rgb = Triple<f64>;
-    #[inline(always)]
-    fn rgb(channels: [f64; 3]) -> Triple<f64> {
-        Triple(channels)
-    }
-    #[inline(always)]
-    fn gray(self) -> Triple<f64> {
-        Triple([self; 3])
-    }
-    #[inline(always)]
-    fn channels(rgb: Triple<f64>) -> [f64; 3] {
-        rgb.0
-    }
+/// Numbers whose channels have no register to share.
+macro_rules! side_by_side {
+    ($t:ty) => {
+        impl Element for $t {
+            type Rgb = Triple<$t>;
+            #[inline(always)]
+            fn rgb(channels: [$t; 3]) -> Triple<$t> {
+                Triple(channels)
+            }
+            #[inline(always)]
+            fn gray(self) -> Triple<$t> {
+                Triple([self; 3])
+            }
+            #[inline(always)]
+            fn channels(rgb: Triple<$t>) -> [$t; 3] {
+                rgb.0
+            }
+        }
+    };
 }
 
+side_by_side!(f64);
 #[cfg(not(target_arch = "x86_64"))]
-impl Element for f32 {
-    type Rgb = Triple<f32>;
-    #[inline(always)]
-    fn rgb(channels: [f32; 3]) -> Triple<f32> {
-        Triple(channels)
-    }
-    #[inline(always)]
-    fn gray(self) -> Triple<f32> {
-        Triple([self; 3])
-    }
-    #[inline(always)]
-    fn channels(rgb: Triple<f32>) -> [f32; 3] {
-        rgb.0
-    }
-}
+side_by_side!(f32);
 
 /// Three numbers, or three truth values, side by side.
 #[derive(Clone, Copy, Debug)]

@@ -166,3 +166,64 @@ impl Single for RgbLanes {
         ))))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A function's name, its scalar form, its form in lanes.
+    type Unary = (&'static str, fn(f32) -> f32, fn(RgbLanes) -> RgbLanes);
+
+    /// Guards the second implementation of every operation: each lane gives, to the bit, what the
+    /// scalar operation gives.
+    #[test]
+    fn lanes_equal_scalars() {
+        let numbers = [
+            0.0, 1e-30, 3e-4, 0.25, 0.5, 0.7, 1.0, 1.5, 2.5, 37.3, 8.1e5, 9e6, 1e30,
+        ];
+        let signed: Vec<f32> = numbers.iter().flat_map(|&x| [x, -x]).collect();
+        let unary: [Unary; 9] = [
+            ("neg", Neg::neg, Neg::neg),
+            ("abs", Real::abs, Real::abs),
+            ("round", Real::round, Real::round),
+            ("exp", Real::exp, Real::exp),
+            ("exp_m1", Real::exp_m1, Real::exp_m1),
+            ("ln", |x| Real::ln(x.abs()), |x| x.abs().ln()),
+            ("ln_1p", |x| Real::ln_1p(x.abs()), |x| x.abs().ln_1p()),
+            ("cos_turns", Real::cos_turns, Real::cos_turns),
+            ("sqrt", |x| Real::sqrt(x.abs()), |x| x.abs().sqrt()),
+        ];
+        for (name, scalar, lanes) in unary {
+            for three in signed.windows(3) {
+                let three: [f32; 3] = three.try_into().unwrap();
+                let found = f32::channels(lanes(f32::rgb(three)));
+                let expected = three.map(scalar);
+                assert_eq!(
+                    found.map(f32::to_bits),
+                    expected.map(f32::to_bits),
+                    "{name} {three:?}"
+                );
+            }
+        }
+        for &a in &signed {
+            for &b in &signed {
+                let (x, y) = (f32::gray(a), f32::gray(b));
+                let pick = |mask| f32::channels(RgbLanes::select(mask, x, y))[2];
+                let scalar_pick = |mask: bool| if mask { a } else { b };
+                let pairs = [
+                    (f32::channels(x + y)[0], a + b),
+                    (f32::channels(x - y)[1], a - b),
+                    (f32::channels(x * y)[2], a * b),
+                    (f32::channels(x.min(y))[0], Real::min(a, b)),
+                    (f32::channels(x.max(y))[1], Real::max(a, b)),
+                    (pick(x.lt(y)), scalar_pick(a < b)),
+                    (pick(x.le(y) & !x.equals(y)), scalar_pick(a < b)),
+                    (pick(x.gt(y) | x.equals(y)), scalar_pick(a >= b)),
+                ];
+                for (found, expected) in pairs {
+                    assert_eq!(found.to_bits(), expected.to_bits(), "{a} {b}");
+                }
+            }
+        }
+    }
+}
