@@ -29,8 +29,8 @@
 //! # Layers
 //!
 //! A module uses only those to its left (a test keeps it so):
-//! `math -> optics -> film -> lobe -> bsdf -> batch -> capi`. A formula is written once, generic over
-//! [`math::Real`]: the `f64` instance is the oracle that tests compare the `f32` instance with.
+//! `math -> optics -> film -> lobe -> bsdf -> batch -> capi`. A formula is written once, generic
+//! over [`math::Real`]: the `f64` instance is the oracle that tests compare the `f32` instance with.
 
 pub mod batch;
 mod bsdf;

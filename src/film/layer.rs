@@ -1,0 +1,246 @@
+//! One film at one wavelength, or at three side by side: the waves in the three media, the
+//! amplitudes of the interfaces, and the reflectance of all beams together.
+//!
+//! The same mathematics and sign conventions as [`crate::optics::stack`], for one layer, with
+//! everything that depends on the media alone taken out of the evaluation.
+
+use super::OneLayer;
+use crate::math::{Element, Mask, PI, Real};
+use crate::optics::Complex;
+use crate::optics::stack::{P, S};
+
+/// q^2 below this counts as q = 0, the critical angle.
+const CRITICAL: f64 = 1e-30;
+/// A squared sum of fields below this counts as 0: neither cosine nor film are large enough to tell.
+const VANISHED_SQUARED: f64 = 1e-30;
+
+/// A medium seen from the ambient one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen<R> {
+    /// n^2 - n0^2.
+    excess: Complex<R>,
+    permittivity: Complex<R>,
+    inverse_permittivity: Complex<R>,
+}
+
+/// The media at one wavelength.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line<R> {
+    ambient: R,
+    inverse_ambient: R,
+    film: Seen<R>,
+    base: Seen<R>,
+    /// 1 / lambda, per nm; 0 if the film equals a neighbour, so that its thickness has no effect.
+    pub(super) wavenumber: R,
+}
+
+/// The waves at a cosine. For s and p, w is the ratio of the tangential fields (q, q / n^2).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Waves<R> {
+    pub(super) near: [R; 2],
+    pub(super) film: [Complex<R>; 2],
+    pub(super) base: [Complex<R>; 2],
+}
+
+impl Seen<f64> {
+    fn new(ambient: f64, index: Complex<f64>) -> Self {
+        let near = Complex::real(ambient);
+        let permittivity = index * index;
+        Self {
+            excess: (index - near) * (index + near),
+            permittivity,
+            inverse_permittivity: permittivity.inverse(),
+        }
+    }
+}
+
+impl<R: Real> Seen<R> {
+    /// q^2 = n^2 - n0^2 sin^2, and w for s and p.
+    #[inline(always)]
+    fn wave(&self, q0: R, w0: [R; 2]) -> [Complex<R>; 2] {
+        let zero = R::new(0.0);
+        let is_near = self.excess.re.equals(zero) & self.excess.im.equals(zero);
+        let q_squared = self.excess + Complex::real(q0 * q0);
+        let q = if self.excess.im.gt(zero).any() {
+            q_squared.sqrt_upper()
+        } else {
+            // Transparent: q is real or imaginary.
+            let root = q_squared.re.abs().sqrt();
+            let is_evanescent = q_squared.re.lt(zero);
+            Complex::new(
+                R::select(is_evanescent, zero, root),
+                R::select(is_evanescent, root, zero),
+            )
+        };
+        let ratio = q * self.inverse_permittivity;
+        [
+            Complex::select(is_near, Complex::real(w0[S]), q),
+            Complex::select(is_near, Complex::real(w0[P]), ratio),
+        ]
+    }
+}
+
+impl Line<f64> {
+    /// At a wavelength.
+    pub(super) fn at(layer: &OneLayer, wavelength_nm: f64) -> Self {
+        let ambient = layer.ambient.index(wavelength_nm).re;
+        let film = layer.film.index(wavelength_nm);
+        let base = layer.base.index(wavelength_nm);
+        let is_matched = film == base || film == Complex::real(ambient);
+        Self {
+            ambient,
+            inverse_ambient: 1.0 / ambient,
+            film: Seen::new(ambient, if is_matched { base } else { film }),
+            base: Seen::new(ambient, base),
+            wavenumber: if is_matched { 0.0 } else { 1.0 / wavelength_nm },
+        }
+    }
+
+    /// Half the change of n1^2 - n0^2 and of n0^2 to another wavelength's.
+    pub(super) fn half_change_to(&self, other: &Self) -> (Complex<f64>, f64) {
+        let excess = (other.film.excess - self.film.excess).scaled(0.5);
+        let square = 0.5 * (other.ambient * other.ambient - self.ambient * self.ambient);
+        (excess, square)
+    }
+}
+
+/// Three numbers side by side.
+pub(super) fn pack<T: Element>(numbers: [f64; 3]) -> T::Rgb {
+    T::rgb(numbers.map(T::new))
+}
+
+/// Three complex numbers side by side.
+pub(super) fn pack_complex<T: Element>(numbers: [Complex<f64>; 3]) -> Complex<T::Rgb> {
+    Complex::new(
+        pack::<T>(numbers.map(|z| z.re)),
+        pack::<T>(numbers.map(|z| z.im)),
+    )
+}
+
+/// Three wavelengths side by side.
+pub(super) fn pack_lines<T: Element>(lines: [Line<f64>; 3]) -> Line<T::Rgb> {
+    let seen = |seen: [Seen<f64>; 3]| Seen {
+        excess: pack_complex::<T>(seen.map(|s| s.excess)),
+        permittivity: pack_complex::<T>(seen.map(|s| s.permittivity)),
+        inverse_permittivity: pack_complex::<T>(seen.map(|s| s.inverse_permittivity)),
+    };
+    Line {
+        ambient: pack::<T>(lines.map(|l| l.ambient)),
+        inverse_ambient: pack::<T>(lines.map(|l| l.inverse_ambient)),
+        film: seen(lines.map(|l| l.film)),
+        base: seen(lines.map(|l| l.base)),
+        wavenumber: pack::<T>(lines.map(|l| l.wavenumber)),
+    }
+}
+
+/// The amplitudes of the two interfaces for one polarisation, and the powers that they let pass.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Amplitudes<R> {
+    /// r01.
+    pub(super) top: Complex<R>,
+    /// r12.
+    pub(super) bottom: Complex<R>,
+    /// 1 - r01^2 = t01 t10.
+    pub(super) crossing: Complex<R>,
+    /// 1 - |r01|^2 and 1 - |r12|^2, without cancellation.
+    pub(super) top_loss: R,
+    pub(super) bottom_loss: R,
+}
+
+/// 1 / b, and 0 for b = 0.
+#[inline(always)]
+fn safe_inverse<R: Real>(b: Complex<R>) -> Complex<R> {
+    let norm = b.norm_squared();
+    let one = R::new(1.0);
+    let factor = one / R::select(norm.lt(R::new(VANISHED_SQUARED)), one, norm);
+    Complex::new(b.re * factor, -(b.im * factor))
+}
+
+impl<R: Real> Waves<R> {
+    /// The Fresnel amplitudes of the tangential fields: r = (w - w') / (w + w').
+    #[inline(always)]
+    pub(super) fn amplitudes(&self, pol: usize) -> Amplitudes<R> {
+        let (near, film, base) = (
+            Complex::real(self.near[pol]),
+            self.film[pol],
+            self.base[pol],
+        );
+        let four = R::new(4.0);
+        let above = safe_inverse(near + film);
+        let below = safe_inverse(film + base);
+        let overlap = film.re * base.re + film.im * base.im;
+        Amplitudes {
+            top: (near - film) * above,
+            bottom: (film - base) * below,
+            crossing: (film * above * above).scaled(four * self.near[pol]),
+            top_loss: four * self.near[pol] * film.re * above.norm_squared(),
+            bottom_loss: four * overlap * below.norm_squared(),
+        }
+    }
+}
+
+impl<R: Real> Line<R> {
+    /// The waves at a cosine in [0, 1].
+    #[inline(always)]
+    pub(super) fn waves(&self, cos_theta: R) -> Waves<R> {
+        let near = [self.ambient * cos_theta, cos_theta * self.inverse_ambient];
+        Waves {
+            near,
+            film: self.film.wave(near[S], near),
+            base: self.base.wave(near[S], near),
+        }
+    }
+
+    /// E = exp(2 i q d 2 pi / lambda), what a beam gains on its way through the film and back: its
+    /// phase in turns, and the loss 1 - |E|.
+    #[inline(always)]
+    pub(super) fn round_trip(&self, waves: &Waves<R>, thickness_nm: R) -> (R, R) {
+        let q = waves.film[S];
+        let thickness = thickness_nm * self.wavenumber;
+        let turns = q.re * thickness * R::new(2.0);
+        if !q.im.gt(R::new(0.0)).any() {
+            return (turns, R::new(0.0));
+        }
+        (turns, -(-(q.im * thickness * R::new(4.0 * PI))).exp_m1())
+    }
+
+    /// R of unpolarised light, all beams together (Airy 1833), by the tangential fields: with
+    /// c = (1 + E) / 2 and s = (1 - E) / 2, U = c w2 + s w1 and V = c + s w2 / w1, whose digits
+    /// survive thin films at grazing angles.
+    #[inline(always)]
+    pub(super) fn reflectance(&self, waves: &Waves<R>, thickness_nm: R) -> R {
+        let (zero, half, one) = (R::new(0.0), R::new(0.5), R::new(1.0));
+        let (turns, loss) = self.round_trip(waves, thickness_nm);
+        let decay = one - loss;
+        let half_turns = turns * half;
+        let (sin, cos) = (half_turns.sin_turns(), half_turns.cos_turns());
+        let sine = Complex::new(loss * half + decay * sin * sin, -(decay * sin * cos));
+        let cosine = Complex::real(one) - sine;
+        let q = waves.film[S];
+        let is_critical = q.norm_squared().lt(R::new(CRITICAL));
+        let limit = -(thickness_nm * self.wavenumber * R::new(2.0 * PI));
+        let safe = Complex::select(is_critical, Complex::real(one), q);
+        let over_q = Complex::select(
+            is_critical,
+            Complex::new(zero, limit),
+            sine * safe.inverse(),
+        );
+        let back = [over_q, over_q * self.film.permittivity];
+        let [s, p] = [S, P].map(|pol| {
+            let base = waves.base[pol];
+            let u = cosine * base + sine * waves.film[pol];
+            let v = (cosine + back[pol] * base).scaled(waves.near[pol]);
+            let incident = (v + u).norm_squared();
+            let is_nothing = incident.lt(R::new(VANISHED_SQUARED));
+            let safe = R::select(is_nothing, one, incident);
+            R::select(is_nothing, zero, (v - u).norm_squared() / safe)
+        });
+        (s + p) * half
+    }
+}
+
+/// A complex number of modulus 1 at an angle in turns.
+#[inline(always)]
+pub(super) fn phasor<R: Real>(turns: R) -> Complex<R> {
+    Complex::new(turns.cos_turns(), turns.sin_turns())
+}
