@@ -23,7 +23,7 @@ fn bench(criterion: &mut Criterion) {
     let points: Vec<[f32; 2]> = (0..POINTS)
         .map(|_| [rng.random(), rng.random_range(0.0..1000.0)])
         .collect();
-    for (name, base_k) in [("dielectric", 0.0), ("metal", 3.0)] {
+    for (name, base_k) in [("film on dielectric", 0.0), ("film on metal", 3.0)] {
         let layer = layer(base_k);
         let mut group = criterion.benchmark_group(name);
         group.throughput(Throughput::Elements(POINTS as u64));

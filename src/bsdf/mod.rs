@@ -171,9 +171,8 @@ impl<T: Scalar> Bsdf<T> {
         })
     }
 
-    /// Directional albedo: the part of the light from `wo` that is reflected, which by reciprocity
-    /// is also how bright the surface looks from there in a white furnace. By quadrature (some
-    /// milliseconds) unless the model has a closed form.
+    /// Directional albedo, the integral of the value over wi: how bright the surface looks from wo in
+    /// a white furnace. By quadrature (some milliseconds) unless the model has a closed form.
     pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
         self.direction(wo)
             .and_then(|wo| {
