@@ -3,11 +3,11 @@
 
 #![allow(unsafe_code)]
 
-use crate::bsdf::Bsdf;
+use crate::bsdf::{Bsdf, MAX_VARYING};
 use crate::error::Error;
 
 /// The most numbers that varying parameters may have together.
-const MAX_FLOATS: usize = 48;
+const MAX_FLOATS: usize = 3 * MAX_VARYING;
 
 /// A strided array to read: component c of element i is `i * element_stride + c * component_stride`
 /// bytes from `data`. Any alignment, any sign of stride.

@@ -1,4 +1,4 @@
-//! The film methods in single precision against double, and a rough time per call.
+//! The film methods in single precision against double.
 
 use pellicle::film::{Kind, Method, OneLayer};
 use pellicle::optics::{ColorSpace, Medium, White};
@@ -11,7 +11,8 @@ fn layer(film: Medium, base: Medium) -> OneLayer {
     OneLayer::new(Medium::vacuum(), film, base, White::E, ColorSpace::Rec709).unwrap()
 }
 
-/// The phase of a film of 1000 nm is up to some 12 turns, known to 1e-6 turns in single precision; resonances at grazing angles magnify that by 1 / (1 - |g|).
+/// The phase of a film of 1000 nm is up to some 12 turns, known to 1e-6 turns in single precision;
+/// resonances at grazing angles magnify that by 1 / (1 - |g|).
 #[test]
 fn single_precision_is_close_to_double() {
     let layers = [

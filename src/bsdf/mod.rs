@@ -8,6 +8,7 @@ pub use description::Description;
 use crate::error::Error;
 use crate::lobe::{self, Flags, Kernel, ModelInfo, Override, PerLobe, Values};
 use crate::math::{Element, Rgb, Vec3};
+pub(crate) use varying::MAX_VARYING;
 use varying::Varying;
 
 /// The precisions that a BSDF exists in: `f32` with `glam::Vec3` for renderers, `f64` with

@@ -4,8 +4,8 @@ use super::Scalar;
 use crate::lobe::{ModelInfo, Override, ParamKind, Values};
 use crate::math::{Real, Vec3};
 
-/// More than any model's parameters; so that overrides fit on the stack.
-const MAX_VARYING: usize = 16;
+/// More than any model's parameters; so that what varies fits on the stack.
+pub(crate) const MAX_VARYING: usize = 16;
 
 /// How to read one varying parameter.
 struct Slot<T> {

@@ -7,6 +7,7 @@ use super::types::{
     PellicleBsdf, PellicleConstView, PellicleStatus, PellicleUintView, PellicleView,
 };
 use crate::batch::{self, ConstView, EvalArgs, SampleArgs, View};
+use crate::bsdf::MAX_VARYING;
 use crate::error::Error;
 use libc::size_t;
 
@@ -28,7 +29,7 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
         unsafe {
             let bsdf = handle(bsdf)?;
             let args = read_growing(args, args_size, "args")?;
-            let mut views = [NOTHING; MAX_VIEWS];
+            let mut views = [NOTHING; MAX_VARYING];
             let args = EvalArgs {
                 count: args.count,
                 wo: args.wo.into(),
@@ -58,7 +59,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
         unsafe {
             let bsdf = handle(bsdf)?;
             let args = read_growing(args, args_size, "args")?;
-            let mut views = [NOTHING; MAX_VIEWS];
+            let mut views = [NOTHING; MAX_VARYING];
             let args = SampleArgs {
                 count: args.count,
                 wo: args.wo.into(),
@@ -76,9 +77,6 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
     })
 }
 
-/// More views than any BSDF has varying parameters; so that converting needs no allocation.
-const MAX_VIEWS: usize = 16;
-
 const NOTHING: ConstView = ConstView {
     data: std::ptr::null(),
     element_stride: 0,
@@ -88,11 +86,11 @@ const NOTHING: ConstView = ConstView {
 unsafe fn convert(
     varying: *const PellicleConstView,
     count: usize,
-    views: &mut [ConstView; MAX_VIEWS],
+    views: &mut [ConstView; MAX_VARYING],
 ) -> Result<&[ConstView], Error> {
-    if count > MAX_VIEWS {
+    if count > MAX_VARYING {
         return Err(Error::invalid(format!(
-            "args->varying_count = {count} exceeds {MAX_VIEWS}"
+            "args->varying_count = {count} exceeds {MAX_VARYING}"
         )));
     }
     // SAFETY: the caller vouches for `count` views.

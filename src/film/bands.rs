@@ -260,7 +260,6 @@ impl<R: Real> Group<R> {
     fn absorbing(&self, waves: &Waves<R>, cos_theta: R, thickness_nm: R) -> R {
         let (zero, half, one, two) = (R::new(0.0), R::new(0.5), R::new(1.0), R::new(2.0));
         let (turns, loss) = self.line.round_trip(waves, thickness_nm);
-        let decay = one - loss;
         let width = self.half_turns(waves, cos_theta, thickness_nm);
         let is_flat = width.lt(R::new(FLAT_TURNS));
         let width = R::select(is_flat, one, width);
@@ -268,20 +267,12 @@ impl<R: Real> Group<R> {
         let (edge, double) = (phasor(width), phasor(width * two));
         let point = self.line.reflectance(waves, thickness_nm);
         let [s, p] = [S, P].map(|pol| {
-            let amplitudes = waves.amplitudes(pol);
-            let top = amplitudes.top;
-            let bottom = amplitudes.bottom.scaled(decay);
-            let g = top * bottom;
+            let series = waves.amplitudes(pol).series(loss);
+            let (g, g_loss) = (series.g, series.g_loss);
             let g_squared = g.norm_squared();
-            // 1 - |g|^2 without cancellation where little is absorbed.
-            let bottom_loss = loss * (two - loss) + decay * decay * amplitudes.bottom_loss;
-            let g_loss = amplitudes.top_loss + top.norm_squared() * bottom_loss;
             let is_resonant = g_loss.lt(R::new(RESONANT));
             let is_point = is_flat | is_resonant;
-            let h = amplitudes.crossing * bottom;
-            let pairs = h.norm_squared() / R::select(is_resonant, one, g_loss);
-            let conjugate = Complex::new(top.re, -top.im);
-            let d = conjugate * h - g.scaled(pairs);
+            let (incoherent, d) = series.harmonics(is_resonant);
 
             // ln of the quotient of 1 + g z at the edges: its modulus from the difference of their
             // squares, its angle from the product of one with the other's conjugate.
@@ -306,7 +297,7 @@ impl<R: Real> Group<R> {
             let second = (g_z * z).scaled(double.im / phase);
             let mean = Complex::select(is_faint, first - second, closed);
             let ripple = two * (d.re * mean.re - d.im * mean.im);
-            let r = top.norm_squared() + pairs + ripple;
+            let r = incoherent + ripple;
             (r.max(zero).min(one), is_point)
         });
         // The point value is of both polarisations together: one alone is not worth a kernel.

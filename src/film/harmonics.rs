@@ -222,36 +222,22 @@ fn interpolated<T: Number>(table: &[Rgb<Complex<T>>], position: T, c: usize) -> 
 impl<T: Number> Method<T> for Harmonics<T> {
     fn reflectance(&self, cos_theta: T, thickness_nm: T) -> Rgb<T> {
         let (cos_theta, thickness_nm) = held(cos_theta, thickness_nm);
-        let (zero, half, one, two) = (
-            T::Rgb::new(0.0),
-            T::Rgb::new(0.5),
-            T::Rgb::new(1.0),
-            T::Rgb::new(2.0),
-        );
+        let (zero, half, two) = (T::Rgb::new(0.0), T::Rgb::new(0.5), T::Rgb::new(2.0));
         let waves = self.line.waves(cos_theta);
         let (_, loss) = self.line.round_trip(&waves, thickness_nm);
-        let decay = one - loss;
         let q = waves.film[S];
         let path = q.re * thickness_nm * two;
         let mut is_point = q.re.le(q.im) | self.line.wavenumber.le(zero);
         // The constant term, and per polarisation the first harmonic's amplitude and -g.
         let mut sum = zero;
         let terms = [S, P].map(|pol| {
-            let amplitudes = waves.amplitudes(pol);
-            let top = amplitudes.top;
-            let bottom = amplitudes.bottom.scaled(decay);
-            let g = top * bottom;
-            let h = amplitudes.crossing * bottom;
-            // 1 - |g|^2 without cancellation where nothing is absorbed.
-            let bottom_loss = loss * (two - loss) + decay * decay * amplitudes.bottom_loss;
-            let g_loss = amplitudes.top_loss + top.norm_squared() * bottom_loss;
-            let is_resonant =
-                g_loss.le(zero) | (g.norm_squared().gt(T::Rgb::new(RESONANT)) & loss.gt(zero));
+            let series = waves.amplitudes(pol).series(loss);
+            let g = series.g;
+            let is_resonant = series.g_loss.le(zero)
+                | (g.norm_squared().gt(T::Rgb::new(RESONANT)) & loss.gt(zero));
             is_point = is_point | is_resonant;
-            let pairs = h.norm_squared() / T::Rgb::select(is_resonant, one, g_loss);
-            let conjugate = Complex::new(top.re, -top.im);
-            sum = sum + top.norm_squared() + pairs;
-            let first = conjugate * h - g.scaled(pairs);
+            let (incoherent, first) = series.harmonics(is_resonant);
+            sum = sum + incoherent;
             is_point = is_point | first.norm_squared().gt(T::Rgb::new(GREATEST_FIRST_SQUARED));
             (first, -g)
         });

@@ -5,12 +5,10 @@
 //! everything that depends on the media alone taken out of the evaluation.
 
 use super::OneLayer;
-use crate::math::{Element, Mask, PI, Real};
+use crate::math::{Element, Mask, Real};
 use crate::optics::Complex;
-use crate::optics::stack::{P, S};
+use crate::optics::stack::{Crossing, P, S, round_trip_loss};
 
-/// q^2 below this counts as q = 0, the critical angle.
-const CRITICAL: f64 = 1e-30;
 /// A squared sum of fields below this counts as 0: neither cosine nor film are large enough to tell.
 const VANISHED_SQUARED: f64 = 1e-30;
 
@@ -147,6 +145,49 @@ pub(super) struct Amplitudes<R> {
     pub(super) bottom_loss: R,
 }
 
+/// All beams of one polarisation as a geometric series: what [`Amplitudes`] become in a film that
+/// takes the loss 1 - |E| from a round trip.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Series<R> {
+    /// r01.
+    top: Complex<R>,
+    /// g = r01 r12 |E|, the quotient of one beam and the one before.
+    pub(super) g: Complex<R>,
+    /// h = (1 - r01^2) r12 |E|, the first beam from below.
+    h: Complex<R>,
+    /// 1 - |g|^2, without cancellation where little is absorbed.
+    pub(super) g_loss: R,
+}
+
+impl<R: Real> Amplitudes<R> {
+    /// With the loss of a round trip.
+    #[inline(always)]
+    pub(super) fn series(&self, loss: R) -> Series<R> {
+        let decay = R::new(1.0) - loss;
+        let bottom = self.bottom.scaled(decay);
+        let bottom_loss = loss * (R::new(2.0) - loss) + decay * decay * self.bottom_loss;
+        Series {
+            top: self.top,
+            g: self.top * bottom,
+            h: self.crossing * bottom,
+            g_loss: self.top_loss + self.top.norm_squared() * bottom_loss,
+        }
+    }
+}
+
+impl<R: Real> Series<R> {
+    /// The reflectance without interference, |r01|^2 + |h|^2 / (1 - |g|^2), and the factor of the
+    /// first harmonic, conj(r01) h - g |h|^2 / (1 - |g|^2). Neither is used where `is_resonant`.
+    #[inline(always)]
+    pub(super) fn harmonics(&self, is_resonant: R::Mask) -> (R, Complex<R>) {
+        let safe = R::select(is_resonant, R::new(1.0), self.g_loss);
+        let pairs = self.h.norm_squared() / safe;
+        let conjugate = Complex::new(self.top.re, -self.top.im);
+        let first = conjugate * self.h - self.g.scaled(pairs);
+        (self.top.norm_squared() + pairs, first)
+    }
+}
+
 /// 1 / b, and 0 for b = 0.
 #[inline(always)]
 fn safe_inverse<R: Real>(b: Complex<R>) -> Complex<R> {
@@ -198,10 +239,7 @@ impl<R: Real> Line<R> {
         let q = waves.film[S];
         let thickness = thickness_nm * self.wavenumber;
         let turns = q.re * thickness * R::new(2.0);
-        if !q.im.gt(R::new(0.0)).any() {
-            return (turns, R::new(0.0));
-        }
-        (turns, -(-(q.im * thickness * R::new(4.0 * PI))).exp_m1())
+        (turns, round_trip_loss(q, thickness))
     }
 
     /// R of unpolarised light, all beams together (Airy 1833), by the tangential fields: with
@@ -210,21 +248,9 @@ impl<R: Real> Line<R> {
     #[inline(always)]
     pub(super) fn reflectance(&self, waves: &Waves<R>, thickness_nm: R) -> R {
         let (zero, half, one) = (R::new(0.0), R::new(0.5), R::new(1.0));
-        let (turns, loss) = self.round_trip(waves, thickness_nm);
-        let decay = one - loss;
-        let half_turns = turns * half;
-        let (sin, cos) = (half_turns.sin_turns(), half_turns.cos_turns());
-        let sine = Complex::new(loss * half + decay * sin * sin, -(decay * sin * cos));
-        let cosine = Complex::real(one) - sine;
-        let q = waves.film[S];
-        let is_critical = q.norm_squared().lt(R::new(CRITICAL));
-        let limit = -(thickness_nm * self.wavenumber * R::new(2.0 * PI));
-        let safe = Complex::select(is_critical, Complex::real(one), q);
-        let over_q = Complex::select(
-            is_critical,
-            Complex::new(zero, limit),
-            sine * safe.inverse(),
-        );
+        let crossing = Crossing::new(waves.film[S], thickness_nm * self.wavenumber);
+        let (cosine, sine) = (crossing.cosine, crossing.sine);
+        let over_q = crossing.sine_over_q;
         let back = [over_q, over_q * self.film.permittivity];
         let [s, p] = [S, P].map(|pol| {
             let base = waves.base[pol];

@@ -9,7 +9,9 @@
 //! darkens towards grazing angles, where real surfaces brighten.
 
 use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
-use super::power_lobe::{estimated_integral, mean, power_of_cosine, sample_about};
+use super::power_lobe::{
+    conserving_normalization, estimated_integral, mean, power_of_cosine, sample_about,
+};
 use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
 use super::values::Values;
 use crate::error::Error;
@@ -120,7 +122,7 @@ impl<T: Real> Prepared<T> {
     #[inline(always)]
     fn value_and_power(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
         let power = power_of_cosine(wo.mirrored(), wi, self.exponent);
-        let normalization = (self.exponent + T::new(2.0)) * T::new(0.5 / PI);
+        let normalization = conserving_normalization(self.exponent);
         let highlight = normalization * power;
         let value = std::array::from_fn(|channel| {
             let diffuse = self.diffuse[channel] * T::new(1.0 / PI);
@@ -156,7 +158,7 @@ impl<T: Element> Scattering<T> for Prepared<T> {
 
     #[inline(always)]
     fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
-        let normalization = (self.exponent + T::new(2.0)) * T::new(0.5 / PI);
+        let normalization = conserving_normalization(self.exponent);
         let specular =
             mean(self.specular) * normalization * estimated_integral(self.exponent, wo.z);
         let mut shares = [T::new(0.0); MAX_LOBES];

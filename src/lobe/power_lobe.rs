@@ -1,6 +1,6 @@
 //! The lobe cos^e about an axis, which Phong's model and the layered model share.
 
-use crate::math::{Real, Rgb, Vec3, warp};
+use crate::math::{PI, Real, Rgb, Vec3, warp};
 
 /// max(0, <a, b>)^e for unit vectors a and b.
 ///
@@ -11,6 +11,13 @@ pub fn power_of_cosine<T: Real>(a: Vec3<T>, b: Vec3<T>, exponent: T) -> T {
     let complement = a.minus(b).length_squared() * T::new(0.5);
     let power = (exponent * (-complement).ln_1p()).exp();
     T::select(complement.lt(T::new(1.0)), power, T::new(0.0))
+}
+
+/// (e + 2) / (2 pi), with which cos^e reflects no more than it receives: Lafortune and Willems 1994,
+/// eq. 6. Not the normalisation of the density, which lacks the cosine of reflection.
+#[inline(always)]
+pub fn conserving_normalization<T: Real>(exponent: T) -> T {
+    (exponent + T::new(2.0)) * T::new(0.5 / PI)
 }
 
 /// A direction about `axis` with density (e + 1) / (2 pi) cos^e per solid angle.

@@ -41,7 +41,7 @@ const OPAQUE: f64 = 1e-7;
 /// ns), 160 to 400 for five layers of together 3 micrometres (450 ns a sample), 2 milliseconds for a
 /// film of 100 micrometres; proportional to the number of layers and, beyond a few micrometres, to
 /// the optical path, with more samples towards grazing angles. Evaluation allocates.
-/// `tests/optics_reference.rs` measures it.
+/// `cargo bench --bench reference` measures it.
 #[derive(Clone, Debug)]
 pub struct Reference {
     ambient: Medium,

@@ -242,6 +242,49 @@ pub struct Wave<T> {
     pub immittance: [Complex<T>; 2],
 }
 
+/// c, s and s / q of a layer, E = exp(2 i q d 2 pi / lambda).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Crossing<T> {
+    /// (1 + E) / 2.
+    pub cosine: Complex<T>,
+    /// (1 - E) / 2.
+    pub sine: Complex<T>,
+    /// s / q, which tends to -2 pi i d / lambda at the critical angle.
+    pub sine_over_q: Complex<T>,
+    /// |E|.
+    pub decay: T,
+}
+
+impl<T: Real> Crossing<T> {
+    /// For a thickness in vacuum wavelengths. 1 - E by parts that keep their digits near 0.
+    #[inline(always)]
+    pub fn new(q: Complex<T>, thickness: T) -> Self {
+        let (half, one) = (T::new(0.5), T::new(1.0));
+        let half_turns = q.re * thickness;
+        let (sin, cos) = (half_turns.sin_turns(), half_turns.cos_turns());
+        let loss = round_trip_loss(q, thickness);
+        let decay = one - loss;
+        let sine = Complex::new(loss * half + decay * sin.squared(), -(decay * sin * cos));
+        let is_critical = q.norm_squared().lt(T::new(CRITICAL));
+        let safe = Complex::select(is_critical, Complex::real(one), q);
+        let limit = Complex::new(T::new(0.0), -(thickness * T::new(2.0 * PI)));
+        Self {
+            cosine: Complex::real(one) - sine,
+            sine,
+            sine_over_q: Complex::select(is_critical, limit, sine * safe.inverse()),
+            decay,
+        }
+    }
+}
+
+/// 1 - |E| for a thickness in vacuum wavelengths; costs nothing where no lane absorbs.
+#[inline(always)]
+pub(crate) fn round_trip_loss<T: Real>(q: Complex<T>, thickness: T) -> T {
+    let b = q.im * thickness * T::new(4.0 * PI);
+    let absorbs = b.gt(T::new(0.0)).any();
+    if absorbs { -(-b).exp_m1() } else { T::new(0.0) }
+}
+
 /// What a layer does to the fields.
 #[derive(Clone, Copy, Debug)]
 pub struct Slab<T> {
@@ -259,30 +302,14 @@ impl<T: Real> Slab<T> {
     /// A layer of a thickness, crossed by a wave.
     #[inline(always)]
     pub fn new(wave: &Wave<T>, thickness_nm: T, wavelength_nm: T) -> Self {
-        let one = T::new(1.0);
-        let q = wave.immittance[S];
         let thickness = thickness_nm / wavelength_nm;
-        // E = exp(2 i a - b) with a in half turns. 1 - E by parts that keep their digits near 0.
-        let half_turns = q.re * thickness;
-        let b = q.im * thickness * T::new(4.0 * PI);
-        let (sin, cos) = (half_turns.sin_turns(), half_turns.cos_turns());
-        let absorbs = b.gt(T::new(0.0)).any();
-        let loss = if absorbs { -(-b).exp_m1() } else { T::new(0.0) };
-        let decay = one - loss;
-        let half = T::new(0.5);
-        let sine = Complex::new(loss * half + decay * sin.squared(), -(decay * sin * cos));
-        let cosine = Complex::real(one) - sine;
+        let crossing = Crossing::new(wave.immittance[S], thickness);
         let permittivity = wave.index * wave.index;
-        // s / q -> -2 pi i d / lambda at the critical angle.
-        let is_critical = q.norm_squared().lt(T::new(CRITICAL));
-        let safe = Complex::select(is_critical, Complex::real(one), q);
-        let limit = Complex::new(T::new(0.0), -(thickness * T::new(2.0 * PI)));
-        let over_q = Complex::select(is_critical, limit, sine * safe.inverse());
         Self {
-            cosine,
-            forth: wave.immittance.map(|w| w * sine),
-            back: [over_q, over_q * permittivity],
-            decay,
+            cosine: crossing.cosine,
+            forth: wave.immittance.map(|w| w * crossing.sine),
+            back: [crossing.sine_over_q, crossing.sine_over_q * permittivity],
+            decay: crossing.decay,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The formulas of the layered model, eq. 1-16, in both variants.
 
-use super::super::power_lobe::power_of_cosine;
+use super::super::power_lobe::{conserving_normalization, power_of_cosine};
 use super::super::values::Values;
 use super::{
     AMBIENT_ETA, BASE, BASE_NORMAL, DIFFUSE_WEIGHT, ETA, EXPONENT_REFLECTION,
@@ -90,8 +90,11 @@ impl<T: Element> Prepared<T> {
         let average = average_transmittance(r0, r1);
         let wavelengths = T::rgb(RGB_WAVELENGTHS_NM.map(T::new));
         let scale = |exponent: T| {
-            let normalization = (exponent + T::new(2.0)) * T::new(0.5 / PI);
-            if is_paper { T::new(1.0) } else { normalization }
+            if is_paper {
+                T::new(1.0)
+            } else {
+                conserving_normalization(exponent)
+            }
         };
         let mut prepared = Self {
             interface,
