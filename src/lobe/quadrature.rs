@@ -5,8 +5,8 @@ use crate::math::{Element, Mask, Real, Rgb, Vec3};
 
 /// Two successive Fibonacci numbers: the nodes of a lobe are (i + 1/2) / NODES and
 /// i * GENERATOR / NODES mod 1, the Fibonacci lattice, which of all lattices of two dimensions is
-/// spread most evenly (Niederreiter 1992, section 5). A product grid of as many nodes is ten times
-/// worse where a lobe is cut by the critical cone, since whole rows cross the edge at once.
+/// spread most evenly (Niederreiter 1992, section 5). A product grid is worse
+/// where a lobe is cut by the critical cone, since whole rows cross the edge at once.
 const NODES: u32 = 4181;
 const GENERATOR: u32 = 2584;
 
