@@ -12,14 +12,20 @@
 mod airy_rgb;
 mod arctangent;
 mod bands;
+mod compiled;
+mod description;
 mod harmonics;
 mod layer;
+mod plan;
 mod quadrature;
 mod two_beam;
 
 pub use airy_rgb::AiryRgb;
 pub use bands::Bands;
+pub use compiled::{Colors, Film};
+pub use description::{DEFAULT_TOLERANCE, FilmDescription, FilmLayer, LEAST_TOLERANCE, MAX_LAYERS};
 pub use harmonics::{Harmonics, MAX_ORDER, Sensitivity};
+pub use plan::Plan;
 pub use quadrature::Quadrature;
 pub use two_beam::TwoBeam;
 
