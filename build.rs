@@ -7,11 +7,12 @@ use std::path::PathBuf;
 use std::{env, fs};
 
 /// The files that hold the C interface, in the order in which the header presents them.
-const INTERFACE: [&str; 7] = [
+const INTERFACE: [&str; 8] = [
     "src/capi/types.rs",
     "src/capi/args.rs",
     "src/capi/version.rs",
     "src/capi/model.rs",
+    "src/capi/film.rs",
     "src/capi/bsdf.rs",
     "src/capi/batch.rs",
     "src/capi/api.rs",
@@ -40,7 +41,7 @@ fn main() {
     // Rust's customary heading reads better in C as a plain word.
     let text = String::from_utf8(text)
         .unwrap()
-        .replace("// # Safety\n//\n", "// Preconditions:\n");
+        .replace("// # Safety\n", "// Preconditions:\n");
     fs::write(&header, text).unwrap();
     println!(
         "cargo:rustc-env=PELLICLE_GENERATED_HEADER={}",

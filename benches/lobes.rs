@@ -4,11 +4,14 @@
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec3;
-use pellicle::lobe::models;
+use pellicle::film::{Film, FilmDescription};
+use pellicle::lobe::{Values, models};
+use pellicle::optics::Medium;
 use pellicle::{Bsdf, Description};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::Duration;
 
 const INPUTS: usize = 1 << 20;
@@ -44,10 +47,25 @@ impl Inputs {
     }
 }
 
+/// What models that need a film are measured with.
+fn soap() -> Arc<Film> {
+    let water = Medium::named("water").unwrap();
+    let soap = FilmDescription::new(Medium::vacuum()).layer(water, [50.0, 900.0]);
+    let soap = FilmDescription {
+        transmittance: true,
+        ..soap
+    };
+    Arc::new(Film::new(&soap).unwrap())
+}
+
 fn bench(criterion: &mut Criterion) {
     let mut inputs = Inputs::new();
     for entry in models() {
-        let bsdf = Bsdf::<f32>::new(&Description::new(entry.name())).unwrap();
+        let mut description = Description::new(entry.name());
+        if (entry.needs_film)(&Values::defaults(entry.info)) {
+            description = description.film(soap()).set("thickness_nm", &[400.0]);
+        }
+        let bsdf = Bsdf::<f32>::new(&description).unwrap();
         let mut group = criterion.benchmark_group(entry.name());
         group.throughput(Throughput::Elements(CHUNK as u64));
         group

@@ -9,15 +9,21 @@
  * is the shading normal, +X the tangent. wo goes to the viewer, wi to the light.
  *
  * Quantities. value = f(wo, wi) |wi.z|, RGB. pdf is per solid angle of wi. weight = value / pdf.
- * Lengths are nanometres. RGB is linear Rec.709. Three index values belong to 645, 525 and 445 nm.
+ * Lengths are nanometres. RGB is linear Rec.709, unless a film's description names another space; a
+ * perfect mirror is (1, 1, 1) in all of them. A complex index is eta + i k, k >= 0, vacuum 1. Three
+ * index values belong to 645, 525 and 445 nm: linear in 1 / lambda^2 between, constant outside.
  *
  * Sides. Without the flag TRANSMISSION, wi.z <= 0 or wo.z <= 0 gives 0: one-sided, the caller flips.
- * Dirac lobes give value = pdf = 0; only sample() returns them, with weight and pdf = 0.
+ * With it, z < 0 is the base's side and z = 0 gives 0; what is transmitted is radiance, which carries
+ * (eta_o / eta_i)^2. Dirac lobes give value = pdf = 0; only sample() returns them, with weight and
+ * pdf = 0.
  *
- * Data never fails. Finite inputs give finite, non-negative outputs. Directions within 1e-3 of unit
- * length are accepted as they are; any other direction, NaN and infinity give 0 for that element and
- * leave its neighbours alone. A varying parameter's finite value outside its declared range is
- * clamped to it (the only clamp there is); NaN or infinity there gives 0 for that element.
+ * Data never fails. Finite inputs give finite, non-negative outputs (unclipped colours of films may
+ * be negative). Directions within 1e-3 of unit length are accepted as they are; any other direction,
+ * NaN and infinity give 0 for that element and leave its neighbours alone. A varying parameter's
+ * finite value outside its declared range is clamped to it; NaN or infinity there gives 0 for that
+ * element. In the calls of a film, cosines are clamped to [0, 1] and thicknesses to the declared
+ * range, infinities too, and NaN gives 0. Nothing else is clamped.
  *
  * Pointers and counts can fail. Every function checks every pointer for NULL. On failure a status
  * other than PELLICLE_OK is returned, outputs are untouched, and pellicle_last_error() says which
@@ -26,8 +32,9 @@
  * Threads. Every function may be called from any thread. Handles are immutable and
  * reference-counted: share them freely. Nothing starts threads, locks, logs, calls back or changes
  * the floating-point state; results are right under flush-to-zero and denormals-are-zero.
- * Floating-point exception flags may be raised: do not unmask traps. Only create() allocates,
- * and a failing call for its message.
+ * Floating-point exception flags may be raised: do not unmask traps. Only these allocate: create();
+ * pellicle_film_reference() and pellicle_film_spectrum(); what evaluates a film whose plan's method
+ * is "reference"; and a failing call, for its message.
  *
  * Growth. Structs that are passed together with their own size grow by appending, and zero means
  * default: zero-initialise them and pass sizeof. A shorter struct of an older caller is accepted; a
@@ -48,7 +55,7 @@
 // A NULL pointer, a wrong count, overlapping or contradictory arguments.
 #define PELLICLE_INVALID_ARGUMENT 1
 
-// A model, parameter or choice of that name does not exist; the message lists those that do.
+// A model, parameter, choice or medium of that name does not exist; the message lists those that do.
 #define PELLICLE_UNKNOWN_NAME 2
 
 // A number is outside its range, or NaN or infinite; the message gives the value and the range.
@@ -91,8 +98,17 @@
 // Kind of a parameter: one name out of a list, given in PellicleParam::choice.
 #define PELLICLE_KIND_CHOICE 2
 
+// Side of a film that the light comes from: the ambient medium.
+#define PELLICLE_SIDE_AMBIENT 0
+
+// Side of a film that the light comes from: the base.
+#define PELLICLE_SIDE_BASE 1
+
 // A compiled BSDF: opaque, immutable, reference-counted, usable from every thread at once.
 typedef struct PellicleBsdf PellicleBsdf;
+
+// A compiled film: opaque, immutable, reference-counted, usable from every thread at once.
+typedef struct PellicleFilm PellicleFilm;
 
 // What a call returned: PELLICLE_OK (0) or one of the failures below. After a failure every output
 // is as it was before the call, and pellicle_last_error() says in words what was wrong.
@@ -117,6 +133,8 @@ typedef struct PellicleModelInfo {
     const char *not_reciprocal;
     // When and why the albedo exceeds 1; NULL: never.
     const char *not_conserving;
+    // 1: with every parameter at its default it needs PellicleBsdfDesc::film; 0: it takes none then.
+    uint32_t needs_film;
 } PellicleModelInfo;
 
 // A parameter of a model. Its strings live as long as the library. Grows by appending; pass
@@ -148,6 +166,86 @@ typedef struct PellicleModelParam {
     const char *choices[8];
 } PellicleModelParam;
 
+// A medium, given in one of three ways: by `name`, by `eta` and `k`, or by a table of measurements.
+// All zero: vacuum as a film's ambient, refused elsewhere. Frozen for this ABI version.
+typedef struct PellicleMedium {
+    // "Au", "SiO2", "water", ...; upper and lower case are alike. The message for an unknown name
+    // lists the known ones.
+    const char *name;
+    // Refractive index at 645, 525 and 445 nm, each within [0.001, 1000]: linear in 1 / lambda^2
+    // between them, constant outside. Three equal values are a constant.
+    float eta[3];
+    // Extinction, the index's imaginary part, at the same wavelengths, each within [0, 1000].
+    // 0: transparent.
+    float k[3];
+    // `table_count` vacuum wavelengths in nm, ascending, within [1, 1e6]: the index is linear between
+    // them and constant outside. Copied.
+    const float *table_nm;
+    // `table_count` refractive indices, in the range of `eta`. Copied.
+    const float *table_eta;
+    // `table_count` extinctions, in the range of `k`. Copied.
+    const float *table_k;
+    // How many numbers each part of the table has.
+    size_t table_count;
+} PellicleMedium;
+
+// A layer of a film. Frozen for this ABI version.
+typedef struct PellicleLayer {
+    // What it consists of.
+    struct PellicleMedium medium;
+    // Least thickness, nm, within [0, 1e8].
+    float thickness_min_nm;
+    // Greatest thickness, nm, within [0, 1e8]. Equal to the least: fixed. At most one layer of a film
+    // may vary; its thickness comes with every call.
+    float thickness_max_nm;
+} PellicleLayer;
+
+// What film to create: layers between an ambient medium and a base. Zero-initialise it, then set
+// what you need: zero means default. Grows by appending; pass sizeof(PellicleFilmDesc).
+typedef struct PellicleFilmDesc {
+    // Where the light comes from; all zero: vacuum. It must have k = 0 and eta >= 1.
+    struct PellicleMedium ambient;
+    // The layers, the ambient's neighbour first; NULL if `layer_count` is 0. Copied.
+    const struct PellicleLayer *layers;
+    // How many layers there are, at most 64; 0: the bare base.
+    size_t layer_count;
+    // What the layers lie on; needed.
+    struct PellicleMedium base;
+    // The greatest error allowed of a channel of the clipped colours, within [1e-5, 1];
+    // 0: the default, 2e-3.
+    float tolerance;
+    // The white in which a perfect mirror is (1, 1, 1): "E" or "D65"; NULL: "E".
+    const char *white;
+    // "rec709", "rec2020", "acescg" or "xyz", linear; NULL: "rec709".
+    const char *color_space;
+    // The name of the method of evaluation; NULL: the cheapest that holds the tolerance. The message
+    // for an unknown name lists the known ones.
+    const char *method;
+    // 1: leave colours outside [0, 1] as they are (saturated films have such, negative ones too);
+    // 0: clip them.
+    uint32_t unclipped;
+    // 1: also keep the transmittance, and the reflectance from the base's side, for
+    // pellicle_film_eval(); 0: do not.
+    uint32_t transmittance;
+} PellicleFilmDesc;
+
+// How a film is evaluated, and how well. Grows by appending; pass sizeof(PellicleFilmPlan).
+typedef struct PellicleFilmPlan {
+    // The method's name; lives as long as the film.
+    const char *method;
+    // The error that was allowed.
+    float tolerance;
+    // The greatest error of a channel that was measured at creation, of the clipped colours against
+    // full wave optics.
+    float measured_max;
+    // The root of the mean square of the errors measured.
+    float measured_rms;
+    // Bytes of the film's tables.
+    size_t bytes;
+    // Why this method, in a sentence; lives as long as the film.
+    const char *reason;
+} PellicleFilmPlan;
+
 // One parameter of a model, by name: either numbers (`values`, `count`) or a `choice`, never both.
 // Frozen for this ABI version.
 typedef struct PellicleParam {
@@ -171,7 +269,7 @@ typedef struct PellicleRange {
     // accepted at call time and normalised.
     float min;
     // Greatest value of each component. Finite values outside [min, max] at call time are clamped
-    // to it: the only clamp there is. NaN or infinity there gives 0 for that element.
+    // to it. NaN or infinity there gives 0 for that element.
     float max;
 } PellicleRange;
 
@@ -189,6 +287,10 @@ typedef struct PellicleBsdfDesc {
     const struct PellicleRange *varying;
     // How many entries `varying` has.
     size_t varying_count;
+    // The film, for models that take one; retained, so release yours when you like. Given where
+    // unused or missing where needed: INVALID_ARGUMENT. If a layer of it varies, the parameter
+    // thickness_nm is needed, fixed or varying within the layer's range; if none does, it is refused.
+    const struct PellicleFilm *film;
 } PellicleBsdfDesc;
 
 // What a BSDF is. Grows by appending; pass sizeof(PellicleBsdfInfo).
@@ -301,6 +403,19 @@ typedef struct PellicleSampleBatchArgs {
     struct PellicleUintView lobe;
 } PellicleSampleBatchArgs;
 
+// Arguments of pellicle_film_reflectance_batch(). Zero-initialise. Grows by appending; pass
+// sizeof(PellicleFilmBatchArgs).
+typedef struct PellicleFilmBatchArgs {
+    // How many elements; 0 is allowed and does nothing.
+    size_t count;
+    // Cosines of incidence in the ambient medium, 1 component.
+    struct PellicleConstView cos_theta;
+    // Thicknesses of the layer that varies, nm, 1 component; data NULL only if none does.
+    struct PellicleConstView thickness_nm;
+    // Receives the reflectance, 3 components.
+    struct PellicleView reflectance;
+} PellicleFilmBatchArgs;
+
 // Every function of this header, by its name without the prefix. Grows by appending: before using
 // a member that was added later, check that it lies within `size`.
 typedef struct PellicleApi {
@@ -362,6 +477,46 @@ typedef struct PellicleApi {
     PellicleStatus (*bsdf_sample_batch)(const struct PellicleBsdf *bsdf,
                                         const struct PellicleSampleBatchArgs *args,
                                         size_t args_size);
+    // pellicle_film_create()
+    PellicleStatus (*film_create)(const struct PellicleFilmDesc *desc,
+                                  size_t desc_size,
+                                  struct PellicleFilm **film);
+    // pellicle_film_retain()
+    PellicleStatus (*film_retain)(struct PellicleFilm *film);
+    // pellicle_film_release()
+    void (*film_release)(struct PellicleFilm *film);
+    // pellicle_film_plan()
+    PellicleStatus (*film_plan)(const struct PellicleFilm *film,
+                                struct PellicleFilmPlan *plan,
+                                size_t plan_size);
+    // pellicle_film_reflectance()
+    PellicleStatus (*film_reflectance)(const struct PellicleFilm *film,
+                                       float cos_theta,
+                                       float thickness_nm,
+                                       float *rgb);
+    // pellicle_film_eval()
+    PellicleStatus (*film_eval)(const struct PellicleFilm *film,
+                                float cos_theta,
+                                float thickness_nm,
+                                uint32_t side,
+                                float *reflectance,
+                                float *transmittance);
+    // pellicle_film_reflectance_batch()
+    PellicleStatus (*film_reflectance_batch)(const struct PellicleFilm *film,
+                                             const struct PellicleFilmBatchArgs *args,
+                                             size_t args_size);
+    // pellicle_film_reference()
+    PellicleStatus (*film_reference)(const struct PellicleFilm *film,
+                                     float cos_theta,
+                                     float thickness_nm,
+                                     float *rgb);
+    // pellicle_film_spectrum()
+    PellicleStatus (*film_spectrum)(const struct PellicleFilm *film,
+                                    float cos_theta,
+                                    float thickness_nm,
+                                    const float *lambda_nm,
+                                    size_t count,
+                                    float *reflectance);
 } PellicleApi;
 
 #ifdef __cplusplus
@@ -387,48 +542,142 @@ size_t pellicle_model_count(void);
 
 // Describes the model with number `model`, below pellicle_model_count(); else OUT_OF_RANGE.
 //
-// # Safety
+// Preconditions:
 // `info` must be NULL (refused) or good for `info_size` bytes.
 PellicleStatus pellicle_model_info(size_t model, struct PellicleModelInfo *info, size_t info_size);
 
 // Describes parameter number `param`, below PellicleModelInfo::param_count, of model number
 // `model`; else OUT_OF_RANGE.
 //
-// # Safety
+// Preconditions:
 // `info` must be NULL (refused) or good for `info_size` bytes.
 PellicleStatus pellicle_model_param(size_t model,
                                     size_t param,
                                     struct PellicleModelParam *info,
                                     size_t info_size);
 
+// Creates a film: validates the description, chooses and compiles the method that evaluates it, and
+// stores a handle with one reference in `*film`. Meant for loading, not for shading.
+//
+// Fails with UNKNOWN_NAME (medium, white, color_space, method), OUT_OF_RANGE (numbers, the number of
+// layers), INVALID_ARGUMENT (NULL, a medium missing or given in two ways, two layers that vary),
+// UNSUPPORTED (a method that does not take such a film, fields of a later version) or OUT_OF_MEMORY;
+// `*film` is then untouched.
+//
+// Preconditions:
+// `desc` must be good for `desc_size` bytes, its pointers for their counts, `film` for one pointer.
+PellicleStatus pellicle_film_create(const struct PellicleFilmDesc *desc,
+                                    size_t desc_size,
+                                    struct PellicleFilm **film);
+
+// Adds a reference to a film: one more pellicle_film_release() is then due.
+//
+// Preconditions:
+// `film` must be NULL (refused) or a handle that has not been released.
+PellicleStatus pellicle_film_retain(struct PellicleFilm *film);
+
+// Gives up a reference to a film; the last one frees it. NULL does nothing. A BSDF made with the
+// film holds a reference of its own.
+//
+// Preconditions:
+// `film` must be NULL or a handle of which a reference is owned.
+void pellicle_film_release(struct PellicleFilm *film);
+
+// Tells how a film is evaluated, and how well.
+//
+// Preconditions:
+// `film` must be NULL (refused) or a live handle, `plan` good for `plan_size` bytes.
+PellicleStatus pellicle_film_plan(const struct PellicleFilm *film,
+                                  struct PellicleFilmPlan *plan,
+                                  size_t plan_size);
+
+// Reflectance of unpolarised light from the ambient's side, RGB, into `rgb` (3 numbers).
+//
+// `cos_theta`: cosine of incidence in the ambient medium, clamped to [0, 1]. `thickness_nm`: of the
+// layer that varies, clamped to its range, infinities too; if none varies, any number. NaN in either
+// gives 0.
+//
+// Preconditions:
+// `film` must be NULL (refused) or a live handle, `rgb` NULL (refused) or good for 3 numbers.
+PellicleStatus pellicle_film_reflectance(const struct PellicleFilm *film,
+                                         float cos_theta,
+                                         float thickness_nm,
+                                         float *rgb);
+
+// Reflectance and transmittance of unpolarised light from either side, as fractions of its power,
+// RGB. A film created without `transmittance` has neither: UNSUPPORTED.
+//
+// `side`: PELLICLE_SIDE_AMBIENT or PELLICLE_SIDE_BASE, where the light comes from and `cos_theta` is
+// measured; any other: OUT_OF_RANGE. A base that absorbs sends no light: everything is 0 from its
+// side. `cos_theta` and `thickness_nm` as in pellicle_film_reflectance(). `reflectance`,
+// `transmittance`: 3 numbers each; either may be NULL if not wanted, not both.
+//
+// Preconditions:
+// `film` must be NULL (refused) or a live handle, the outputs NULL or good for 3 numbers.
+PellicleStatus pellicle_film_eval(const struct PellicleFilm *film,
+                                  float cos_theta,
+                                  float thickness_nm,
+                                  uint32_t side,
+                                  float *reflectance,
+                                  float *transmittance);
+
+// What pellicle_film_reflectance() approximates: the reflectance by full wave optics, converged and
+// never clipped. Slow (25 microseconds and up); it allocates. Call it to check, not to shade.
+//
+// Preconditions:
+// As for pellicle_film_reflectance().
+PellicleStatus pellicle_film_reference(const struct PellicleFilm *film,
+                                       float cos_theta,
+                                       float thickness_nm,
+                                       float *rgb);
+
+// Reflectance of unpolarised light from the ambient's side at single wavelengths, by full wave
+// optics, for spectral renderers. Allocates.
+//
+// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE.
+// Named media are constant outside 380-780 nm. `reflectance`: `count` numbers; may be `lambda_nm`'s
+// own memory, not otherwise overlap it. `cos_theta` and `thickness_nm` as in
+// pellicle_film_reflectance().
+//
+// Preconditions:
+// `film` must be NULL (refused) or a live handle, the arrays NULL (refused, unless `count` is 0) or
+// good for `count` numbers.
+PellicleStatus pellicle_film_spectrum(const struct PellicleFilm *film,
+                                      float cos_theta,
+                                      float thickness_nm,
+                                      const float *lambda_nm,
+                                      size_t count,
+                                      float *reflectance);
+
 // Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
 // `*bsdf`.
 //
 // Fails with UNKNOWN_NAME (model, parameter, choice), OUT_OF_RANGE (numbers, ranges, sums),
-// INVALID_ARGUMENT (NULL, wrong count, something given twice) or UNSUPPORTED (a parameter that
-// cannot vary, fields of a later version); `*bsdf` is then untouched.
+// INVALID_ARGUMENT (NULL, wrong count, something given twice, a film too many or too few) or
+// UNSUPPORTED (a parameter that cannot vary, fields of a later version); `*bsdf` is then untouched.
 //
-// # Safety
-// `desc` must be good for `desc_size` bytes, its pointers for their counts, `bsdf` for one pointer.
+// Preconditions:
+// `desc` must be good for `desc_size` bytes, its pointers for their counts, its film NULL or a live
+// handle, `bsdf` good for one pointer.
 PellicleStatus pellicle_bsdf_create(const struct PellicleBsdfDesc *desc,
                                     size_t desc_size,
                                     struct PellicleBsdf **bsdf);
 
 // Adds a reference to a BSDF: one more pellicle_bsdf_release() is then due.
 //
-// # Safety
+// Preconditions:
 // `bsdf` must be NULL (refused) or a handle that has not been released.
 PellicleStatus pellicle_bsdf_retain(struct PellicleBsdf *bsdf);
 
 // Gives up a reference to a BSDF; the last one frees it. NULL does nothing.
 //
-// # Safety
+// Preconditions:
 // `bsdf` must be NULL or a handle of which a reference is owned.
 void pellicle_bsdf_release(struct PellicleBsdf *bsdf);
 
 // Tells what a BSDF is.
 //
-// # Safety
+// Preconditions:
 // `bsdf` must be NULL (refused) or a live handle, `info` good for `info_size` bytes.
 PellicleStatus pellicle_bsdf_info(const struct PellicleBsdf *bsdf,
                                   struct PellicleBsdfInfo *info,
@@ -440,7 +689,7 @@ PellicleStatus pellicle_bsdf_info(const struct PellicleBsdf *bsdf,
 // of the varying parameters one after another in declared order; NULL takes the values from the
 // description. `value`: 3 numbers; `pdf`: one; either may be NULL if not wanted, not both.
 //
-// # Safety
+// Preconditions:
 // `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated.
 PellicleStatus pellicle_bsdf_eval(const struct PellicleBsdf *bsdf,
                                   const float *wo,
@@ -452,7 +701,7 @@ PellicleStatus pellicle_bsdf_eval(const struct PellicleBsdf *bsdf,
 // Samples a direction to the light. `u`: 3 uniform random numbers in [0, 1); the first chooses the
 // lobe. `varying` as in pellicle_bsdf_eval(). Without a valid sample everything in `sample` is 0.
 //
-// # Safety
+// Preconditions:
 // `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `sample` good for
 // `sample_size` bytes.
 PellicleStatus pellicle_bsdf_sample(const struct PellicleBsdf *bsdf,
@@ -462,11 +711,12 @@ PellicleStatus pellicle_bsdf_sample(const struct PellicleBsdf *bsdf,
                                     struct PellicleSample *sample,
                                     size_t sample_size);
 
-// Directional albedo: the integral of the value over wi, RGB, into `albedo` (3 numbers). `varying`
-// as in pellicle_bsdf_eval(). By quadrature, which takes some milliseconds, unless the model has
-// a closed form; call it when preparing, not when shading.
+// Directional albedo: the integral of the value over wi, Dirac lobes included, RGB, into `albedo` (3
+// numbers). `varying` as in pellicle_bsdf_eval(). By quadrature, which takes some milliseconds, unless the model has
+// a closed form; call it when preparing, not when shading. Transmitted light counts as radiance: seen
+// from within a dense base the albedo exceeds 1.
 //
-// # Safety
+// Preconditions:
 // `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated.
 PellicleStatus pellicle_bsdf_albedo(const struct PellicleBsdf *bsdf,
                                     const float *wo,
@@ -477,7 +727,7 @@ PellicleStatus pellicle_bsdf_albedo(const struct PellicleBsdf *bsdf,
 // `pdf` may have data NULL if not wanted, not both. An output may be an input's own memory with
 // the same strides, otherwise outputs must not overlap inputs or each other.
 //
-// # Safety
+// Preconditions:
 // `bsdf` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, and every
 // address that its views stand for readable or writable.
 PellicleStatus pellicle_bsdf_eval_batch(const struct PellicleBsdf *bsdf,
@@ -487,11 +737,21 @@ PellicleStatus pellicle_bsdf_eval_batch(const struct PellicleBsdf *bsdf,
 // pellicle_bsdf_sample() for every element of strided arrays, equal to it bit for bit. Outputs with
 // data NULL are not wanted; at least one must be. Overlap as in pellicle_bsdf_eval_batch().
 //
-// # Safety
+// Preconditions:
 // As for pellicle_bsdf_eval_batch().
 PellicleStatus pellicle_bsdf_sample_batch(const struct PellicleBsdf *bsdf,
                                           const struct PellicleSampleBatchArgs *args,
                                           size_t args_size);
+
+// pellicle_film_reflectance() for every element of strided arrays, equal to it bit for bit. Overlap
+// as in pellicle_bsdf_eval_batch().
+//
+// Preconditions:
+// `film` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, and every
+// address that its views stand for readable or writable.
+PellicleStatus pellicle_film_reflectance_batch(const struct PellicleFilm *film,
+                                               const struct PellicleFilmBatchArgs *args,
+                                               size_t args_size);
 
 // The table of functions, for dlsym(): the one symbol to look up. Pass PELLICLE_ABI_VERSION; NULL
 // if the library that runs has another one. The table lives as long as the library.

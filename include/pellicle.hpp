@@ -1,7 +1,7 @@
 // pellicle.hpp: a thin C++17 wrapper over pellicle.h. Header only, nothing else to link.
 //
-// It adds ownership (Bsdf), exceptions (Error) and a way to describe a BSDF in one expression
-// (BsdfBuilder); conventions, units and limits are those written at the top of pellicle.h.
+// It adds ownership (Bsdf, Film), exceptions (Error) and a way to describe either in one expression
+// (BsdfBuilder, FilmBuilder); conventions, units and limits are those written at the top of pellicle.h.
 // Programs built without exceptions use pellicle.h.
 
 #ifndef PELLICLE_HPP
@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <stdexcept>
@@ -38,6 +39,33 @@ inline void check(PellicleStatus status) {
     if (status != PELLICLE_OK) throw Error(status, pellicle_last_error());
 }
 
+// One reference to an object of pellicle.h, or none. A copy retains, the destructor releases.
+template <class Object, PellicleStatus (*retain)(Object *), void (*release)(Object *)> class Handle {
+public:
+    Handle() noexcept = default;
+    // Takes over one reference.
+    explicit Handle(Object *adopted) noexcept : object_(adopted) {}
+
+    Handle(const Handle &other) : object_(other.object_) {
+        if (object_ != nullptr) check(retain(object_));
+    }
+
+    Handle(Handle &&other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+
+    // By value: the argument is the copy or the move, and takes the old reference away with it.
+    Handle &operator=(Handle other) noexcept {
+        std::swap(object_, other.object_);
+        return *this;
+    }
+
+    ~Handle() { release(object_); }
+
+    Object *get() const noexcept { return object_; }
+
+private:
+    Object *object_ = nullptr;
+};
+
 } // namespace detail
 
 // Three floats to read, from `const float *` or std::array. Does not own them: meant as a parameter
@@ -51,6 +79,234 @@ public:
 
 private:
     const float *components_;
+};
+
+// A medium of a film. Owns what it is given.
+class Medium {
+public:
+    // Vacuum, as a film's ambient; refused elsewhere.
+    Medium() = default;
+
+    // By its name: "Au", "SiO2", "water", ...; upper and lower case are alike.
+    Medium(const char *name) : name_(name) {}
+    Medium(std::string name) : name_(std::move(name)) {}
+
+    // The same index eta + i k at every wavelength.
+    static Medium constant(float eta, float k = 0.0f) { return rgb({eta, eta, eta}, {k, k, k}); }
+
+    // At 645, 525 and 445 nm.
+    static Medium rgb(const std::array<float, 3> &eta, const std::array<float, 3> &k = {}) {
+        Medium medium;
+        medium.eta_ = eta;
+        medium.k_ = k;
+        return medium;
+    }
+
+    // A row of a table of measurements.
+    struct Measured {
+        float lambda_nm, eta, k;
+    };
+
+    // Measured at ascending wavelengths.
+    static Medium table(const std::vector<Measured> &rows) {
+        Medium medium;
+        for (const Measured &row : rows) {
+            medium.table_nm_.push_back(row.lambda_nm);
+            medium.table_eta_.push_back(row.eta);
+            medium.table_k_.push_back(row.k);
+        }
+        return medium;
+    }
+
+    // For pellicle.h; points into this object.
+    PellicleMedium raw() const noexcept {
+        PellicleMedium medium{};
+        medium.name = name_ ? name_->c_str() : nullptr;
+        for (std::size_t i = 0; i < 3; ++i) {
+            medium.eta[i] = eta_[i];
+            medium.k[i] = k_[i];
+        }
+        if (!table_nm_.empty()) {
+            medium.table_nm = table_nm_.data();
+            medium.table_eta = table_eta_.data();
+            medium.table_k = table_k_.data();
+            medium.table_count = table_nm_.size();
+        }
+        return medium;
+    }
+
+private:
+    std::optional<std::string> name_;
+    std::array<float, 3> eta_{}, k_{};
+    std::vector<float> table_nm_, table_eta_, table_k_;
+};
+
+// What Film::eval() returns: fractions of the power, RGB.
+struct FilmColors {
+    std::array<float, 3> reflectance, transmittance;
+};
+
+// An owning handle of a compiled film; as Bsdf, it is shared by its copies and by threads.
+//
+// `cos_theta` is the cosine of incidence, clamped to [0, 1]; `thickness_nm` that of the layer that
+// varies, clamped to its range, and of no consequence if none does. NaN gives 0.
+class Film {
+public:
+    Film() noexcept = default;
+
+    // Compiles a description. Throws Error; the message says what was wrong and what would be right.
+    explicit Film(const PellicleFilmDesc &desc) {
+        PellicleFilm *film = nullptr;
+        detail::check(pellicle_film_create(&desc, sizeof desc, &film));
+        film_ = Handle(film);
+    }
+
+    // Takes over one reference to a handle made with pellicle.h.
+    explicit Film(PellicleFilm *adopted) noexcept : film_(adopted) {}
+
+    // The handle, for calls of pellicle.h; still owned by this object.
+    PellicleFilm *raw() const noexcept { return film_.get(); }
+
+    // Which method evaluates it, and how well. The strings live as long as the film.
+    PellicleFilmPlan plan() const {
+        PellicleFilmPlan plan{};
+        detail::check(pellicle_film_plan(raw(), &plan, sizeof plan));
+        return plan;
+    }
+
+    // From the ambient's side, RGB.
+    std::array<float, 3> reflectance(float cos_theta, float thickness_nm = 0.0f) const {
+        std::array<float, 3> result{};
+        detail::check(pellicle_film_reflectance(raw(), cos_theta, thickness_nm, result.data()));
+        return result;
+    }
+
+    // From the side PELLICLE_SIDE_AMBIENT or _BASE; needs FilmBuilder::transmittance().
+    FilmColors eval(float cos_theta, float thickness_nm = 0.0f, std::uint32_t side = PELLICLE_SIDE_AMBIENT) const {
+        FilmColors result{};
+        detail::check(pellicle_film_eval(raw(), cos_theta, thickness_nm, side, result.reflectance.data(),
+                                         result.transmittance.data()));
+        return result;
+    }
+
+    // reflectance() of args.count elements; the numbers are the same as of single calls.
+    void reflectance_batch(const PellicleFilmBatchArgs &args) const {
+        detail::check(pellicle_film_reflectance_batch(raw(), &args, sizeof args));
+    }
+
+    // What reflectance() approximates: slow, converged, never clipped.
+    std::array<float, 3> reference(float cos_theta, float thickness_nm = 0.0f) const {
+        std::array<float, 3> result{};
+        detail::check(pellicle_film_reference(raw(), cos_theta, thickness_nm, result.data()));
+        return result;
+    }
+
+    // Reflectance at `count` vacuum wavelengths.
+    void spectrum(float cos_theta, float thickness_nm, const float *lambda_nm, std::size_t count,
+                  float *reflectance) const {
+        detail::check(pellicle_film_spectrum(raw(), cos_theta, thickness_nm, lambda_nm, count, reflectance));
+    }
+
+private:
+    using Handle = detail::Handle<PellicleFilm, pellicle_film_retain, pellicle_film_release>;
+    Handle film_;
+};
+
+// Describes a film, the layers outermost first:
+//
+//     auto film = pellicle::FilmBuilder("Si")
+//                     .layer("SiO2", 0, 500)
+//                     .layer(pellicle::Medium::constant(2.0f), 60)
+//                     .tolerance(1e-3f)
+//                     .create();
+//
+// Names and numbers are checked by create(), not before. The builder copies what it is given and
+// may create any number of films.
+class FilmBuilder {
+public:
+    // `base`: what the layers lie on.
+    explicit FilmBuilder(Medium base) : base_(std::move(base)) {}
+
+    // Where the light comes from, if not vacuum.
+    FilmBuilder &ambient(Medium medium) {
+        ambient_ = std::move(medium);
+        return *this;
+    }
+
+    // Adds a layer below those that are there.
+    FilmBuilder &layer(Medium medium, float thickness_nm) {
+        return layer(std::move(medium), thickness_nm, thickness_nm);
+    }
+
+    // Adds a layer whose thickness is given per call, within [min, max]; one layer may vary.
+    FilmBuilder &layer(Medium medium, float thickness_min_nm, float thickness_max_nm) {
+        layers_.push_back({std::move(medium), thickness_min_nm, thickness_max_nm});
+        return *this;
+    }
+
+    // The greatest error allowed of a channel of the clipped colours.
+    FilmBuilder &tolerance(float tolerance) {
+        desc_.tolerance = tolerance;
+        return *this;
+    }
+
+    // "E" or "D65".
+    FilmBuilder &white(std::string name) {
+        white_ = std::move(name);
+        return *this;
+    }
+
+    // "rec709", "rec2020", "acescg" or "xyz".
+    FilmBuilder &color_space(std::string name) {
+        color_space_ = std::move(name);
+        return *this;
+    }
+
+    // A method's name, instead of the cheapest that holds the tolerance.
+    FilmBuilder &method(std::string name) {
+        method_ = std::move(name);
+        return *this;
+    }
+
+    // Leaves colours outside [0, 1] as they are.
+    FilmBuilder &unclipped() {
+        desc_.unclipped = 1;
+        return *this;
+    }
+
+    // Also keeps what Film::eval() needs.
+    FilmBuilder &transmittance() {
+        desc_.transmittance = 1;
+        return *this;
+    }
+
+    // Throws Error; the message says what was wrong and what would be right.
+    Film create() const {
+        std::vector<PellicleLayer> layers;
+        for (const Layer &layer : layers_)
+            layers.push_back({layer.medium.raw(), layer.thickness_min_nm, layer.thickness_max_nm});
+
+        PellicleFilmDesc desc = desc_;
+        desc.ambient = ambient_.raw();
+        desc.layers = layers.data();
+        desc.layer_count = layers.size();
+        desc.base = base_.raw();
+        desc.white = white_ ? white_->c_str() : nullptr;
+        desc.color_space = color_space_ ? color_space_->c_str() : nullptr;
+        desc.method = method_ ? method_->c_str() : nullptr;
+        return Film(desc);
+    }
+
+private:
+    struct Layer {
+        Medium medium;
+        float thickness_min_nm, thickness_max_nm;
+    };
+
+    PellicleFilmDesc desc_{}; // its numbers; create() sets the pointers
+    Medium ambient_, base_;
+    std::vector<Layer> layers_;
+    std::optional<std::string> white_, color_space_, method_;
 };
 
 // What Bsdf::eval() returns.
@@ -73,82 +329,73 @@ public:
     Bsdf() noexcept = default;
 
     // Compiles a description. Throws Error; the message says what was wrong and what would be right.
-    explicit Bsdf(const PellicleBsdfDesc &desc) { detail::check(pellicle_bsdf_create(&desc, sizeof desc, &bsdf_)); }
+    explicit Bsdf(const PellicleBsdfDesc &desc) {
+        PellicleBsdf *bsdf = nullptr;
+        detail::check(pellicle_bsdf_create(&desc, sizeof desc, &bsdf));
+        bsdf_ = Handle(bsdf);
+    }
 
     // Takes over one reference to a handle made with pellicle.h.
     explicit Bsdf(PellicleBsdf *adopted) noexcept : bsdf_(adopted) {}
 
-    Bsdf(const Bsdf &other) : bsdf_(other.bsdf_) {
-        if (bsdf_ != nullptr) detail::check(pellicle_bsdf_retain(bsdf_));
-    }
-
-    Bsdf(Bsdf &&other) noexcept : bsdf_(std::exchange(other.bsdf_, nullptr)) {}
-
-    // By value: the argument is the copy or the move, and takes the old handle away with it.
-    Bsdf &operator=(Bsdf other) noexcept {
-        std::swap(bsdf_, other.bsdf_);
-        return *this;
-    }
-
-    ~Bsdf() { pellicle_bsdf_release(bsdf_); }
-
     // The handle, for calls of pellicle.h; still owned by this object.
-    PellicleBsdf *raw() const noexcept { return bsdf_; }
+    PellicleBsdf *raw() const noexcept { return bsdf_.get(); }
 
     // Model, flags, number of lobes and of varying floats.
     PellicleBsdfInfo info() const {
         PellicleBsdfInfo info{};
-        detail::check(pellicle_bsdf_info(bsdf_, &info, sizeof info));
+        detail::check(pellicle_bsdf_info(raw(), &info, sizeof info));
         return info;
     }
 
     // f(wo, wi) |wi.z| and the density with which sample() chooses wi.
     Evaluation eval(Float3 wo, Float3 wi, const float *varying = nullptr) const {
         Evaluation result{};
-        detail::check(pellicle_bsdf_eval(bsdf_, wo.data(), wi.data(), varying, result.value.data(), &result.pdf));
+        detail::check(pellicle_bsdf_eval(raw(), wo.data(), wi.data(), varying, result.value.data(), &result.pdf));
         return result;
     }
 
     // f(wo, wi) |wi.z| alone: cheaper than eval() where the density is not needed.
     std::array<float, 3> value(Float3 wo, Float3 wi, const float *varying = nullptr) const {
         std::array<float, 3> result{};
-        detail::check(pellicle_bsdf_eval(bsdf_, wo.data(), wi.data(), varying, result.data(), nullptr));
+        detail::check(pellicle_bsdf_eval(raw(), wo.data(), wi.data(), varying, result.data(), nullptr));
         return result;
     }
 
     // The density alone, per solid angle of wi.
     float pdf(Float3 wo, Float3 wi, const float *varying = nullptr) const {
         float result = 0.0f;
-        detail::check(pellicle_bsdf_eval(bsdf_, wo.data(), wi.data(), varying, nullptr, &result));
+        detail::check(pellicle_bsdf_eval(raw(), wo.data(), wi.data(), varying, nullptr, &result));
         return result;
     }
 
     // Chooses wi from three uniform numbers in [0, 1). All zero: no valid sample.
     PellicleSample sample(Float3 wo, Float3 u, const float *varying = nullptr) const {
         PellicleSample result{};
-        detail::check(pellicle_bsdf_sample(bsdf_, wo.data(), u.data(), varying, &result, sizeof result));
+        detail::check(pellicle_bsdf_sample(raw(), wo.data(), u.data(), varying, &result, sizeof result));
         return result;
     }
 
     // Directional albedo, RGB.
     std::array<float, 3> albedo(Float3 wo, const float *varying = nullptr) const {
         std::array<float, 3> result{};
-        detail::check(pellicle_bsdf_albedo(bsdf_, wo.data(), varying, result.data()));
+        detail::check(pellicle_bsdf_albedo(raw(), wo.data(), varying, result.data()));
         return result;
     }
 
     // eval() of args.count elements; the numbers are the same as of single calls.
     void eval_batch(const PellicleEvalBatchArgs &args) const {
-        detail::check(pellicle_bsdf_eval_batch(bsdf_, &args, sizeof args));
+        detail::check(pellicle_bsdf_eval_batch(raw(), &args, sizeof args));
     }
 
     // sample() of args.count elements; the numbers are the same as of single calls.
     void sample_batch(const PellicleSampleBatchArgs &args) const {
-        detail::check(pellicle_bsdf_sample_batch(bsdf_, &args, sizeof args));
+        detail::check(pellicle_bsdf_sample_batch(raw(), &args, sizeof args));
     }
 
 private:
-    PellicleBsdf *bsdf_ = nullptr;
+    using Handle = detail::Handle<PellicleBsdf, pellicle_bsdf_retain, pellicle_bsdf_release>;
+    Handle bsdf_;
 };
 
 // Describes a BSDF by names:
@@ -190,6 +437,12 @@ public:
         return *this;
     }
 
+    // The film, for models that take one; shared, not copied.
+    BsdfBuilder &film(Film film) {
+        film_ = std::move(film);
+        return *this;
+    }
+
     // Throws Error; the message says what was wrong and what would be right.
     Bsdf create() const {
         std::vector<PellicleParam> params;
@@ -206,6 +459,7 @@ public:
         desc.param_count = params.size();
         desc.varying = varying.data();
         desc.varying_count = varying.size();
+        desc.film = film_.raw();
         return Bsdf(desc);
     }
 
@@ -223,6 +477,7 @@ private:
     std::string model_;
     std::vector<Param> params_;
     std::vector<Range> varying_;
+    Film film_;
 };
 
 } // namespace pellicle

@@ -9,9 +9,9 @@ mod common;
 #[path = "common/quadrature.rs"]
 mod quadrature;
 
-use common::{degrees, rng, uniforms};
+use common::{defaults, degrees, is_dirac, rng, uniforms, visible};
 use glam::{DVec3, Vec3};
-use pellicle::lobe::MAX_LOBES;
+use pellicle::lobe::{MAX_LOBES, models};
 use pellicle::{Bsdf, Description};
 use quadrature::Patch;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
@@ -167,6 +167,31 @@ fn lambert_and_phong_sample_their_density() {
         descriptions.push(Description::new("phong").set("exponent", &[exponent]));
     }
     assert_agreement(&descriptions);
+}
+
+/// No model is forgotten. Those that are Dirac through and through have no density to compare with:
+/// they must not pretend to one.
+#[test]
+fn every_model_samples_its_density() {
+    let mut dense = Vec::new();
+    for entry in models() {
+        let description = defaults(entry);
+        let bsdf: Bsdf = Bsdf::new(&description).unwrap();
+        if !is_dirac(&bsdf) {
+            dense.push(description);
+            continue;
+        }
+        let mut rng = rng(0);
+        for _ in 0..1000 {
+            let wo = visible(&bsdf, &mut rng).as_vec3();
+            let wi = bsdf.sample(wo, Vec3::from(uniforms(&mut rng)), None).wi;
+            for wi in [wi, visible(&bsdf, &mut rng).as_vec3()] {
+                assert_eq!(bsdf.eval_pdf(wo, wi, None), ([0.0; 3], 0.0));
+                assert_eq!(bsdf.lobes(wo, wi, None).1, [0.0; MAX_LOBES]);
+            }
+        }
+    }
+    assert_agreement(&dense);
 }
 
 fn layered(eta: &[f32], ambient_eta: f32, exponents: [f32; 2], deviation: f64) -> Description {

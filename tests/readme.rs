@@ -40,8 +40,12 @@ fn section(entry: &Entry) -> String {
     exception("energy-conserving", &info.not_conserving);
     out += "\n| parameter | numbers | unit | range | default | may vary | meaning |\n";
     out += "|---|---|---|---|---|---|---|\n";
-    for param in info.params {
-        let (range, default) = range(param);
+    for (index, param) in info.params.iter().enumerate() {
+        let (range, default) = if info.film_thickness == Some(index) {
+            ("the layer's".to_owned(), String::new())
+        } else {
+            range(param)
+        };
         let components = match param.components() {
             0 => "choice".to_owned(),
             count => count.to_string(),

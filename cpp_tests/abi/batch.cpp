@@ -1,97 +1,16 @@
 // A batch is the single call, many times: bit for bit, through every kind of view, and it writes
 // nothing but the places its views name.
-#include "support.hpp"
+#include "strided.hpp"
 
 #include <cstring>
-#include <functional>
-#include <memory>
 
 namespace {
 
+using support::Layout;
+using support::layouts;
+using support::Strided;
 using support::Vec3;
-
-// Where component c of element i of an array lives: begin + i * element + c * component, in bytes.
-struct Place {
-    std::size_t bytes, begin;
-    std::ptrdiff_t element, component;
-
-    std::ptrdiff_t offset(std::size_t i, std::size_t c) const {
-        return static_cast<std::ptrdiff_t>(begin) + static_cast<std::ptrdiff_t>(i) * element +
-               static_cast<std::ptrdiff_t>(c) * component;
-    }
-};
-
-struct Layout {
-    const char *name;
-    // Of `count` elements with `components` floats each.
-    std::function<Place(std::size_t count, std::size_t components)> place;
-};
-
-constexpr std::ptrdiff_t word = sizeof(float);
-
-std::ptrdiff_t words(std::size_t count) {
-    return static_cast<std::ptrdiff_t>(count) * word;
-}
-
-const std::vector<Layout> layouts = {
-    {"array of structs",
-     [](std::size_t n, std::size_t c) { return Place{n * c * 4, 0, words(c), word}; }},
-    {"structs with something in between",
-     [](std::size_t n, std::size_t c) { return Place{n * (c + 2) * 4, 4, words(c + 2), word}; }},
-    {"struct of arrays",
-     [](std::size_t n, std::size_t c) { return Place{n * c * 4, 0, word, words(n)}; }},
-    {"elements backwards",
-     [](std::size_t n, std::size_t c) { return Place{n * c * 4, n == 0 ? 0 : (n - 1) * c * 4, -words(c), word}; }},
-    {"components backwards",
-     [](std::size_t n, std::size_t c) { return Place{n * c * 4, (c - 1) * 4, words(c), -word}; }},
-    {"unaligned",
-     [](std::size_t n, std::size_t c) { return Place{n * (c * 4 + 1) + 1, 1, words(c) + 1, word}; }},
-    {"unaligned planes",
-     [](std::size_t n, std::size_t c) { return Place{(n * 4 + 1) * c + 3, 3, word, words(n) + 1}; }},
-};
-
-// An array in one of the layouts; reading beyond its end stops the program, and what lies between
-// its elements must keep its pattern.
-class Strided {
-public:
-    Strided(const Layout &layout, std::size_t count, std::size_t components)
-        : place_(layout.place(count, components)), count_(count), components_(components),
-          bytes_(std::make_unique<support::GuardedBytes>(place_.bytes)) {
-        std::memset(data(), pattern, place_.bytes);
-    }
-
-    void set(std::size_t i, std::size_t c, float value) { std::memcpy(at(i, c), &value, sizeof value); }
-    float get(std::size_t i, std::size_t c) const {
-        float value;
-        std::memcpy(&value, at(i, c), sizeof value);
-        return value;
-    }
-
-    PellicleView view() const { return {reinterpret_cast<float *>(data() + place_.begin), place_.element, place_.component}; }
-    PellicleConstView const_view() const { return {view().data, place_.element, place_.component}; }
-    PellicleUintView uint_view() const { return {reinterpret_cast<std::uint32_t *>(view().data), place_.element}; }
-
-    bool rest_untouched() const {
-        std::vector<bool> named(place_.bytes);
-        for (std::size_t i = 0; i < count_; ++i)
-            for (std::size_t c = 0; c < components_; ++c)
-                for (std::ptrdiff_t byte = 0; byte < word; ++byte)
-                    named[static_cast<std::size_t>(place_.offset(i, c) + byte)] = true;
-        for (std::size_t byte = 0; byte < place_.bytes; ++byte)
-            if (!named[byte] && data()[byte] != pattern) return false;
-        return true;
-    }
-
-private:
-    static constexpr unsigned char pattern = 0x5A;
-
-    unsigned char *data() const { return bytes_->as<unsigned char>(); }
-    unsigned char *at(std::size_t i, std::size_t c) const { return data() + place_.offset(i, c); }
-
-    Place place_;
-    std::size_t count_, components_;
-    std::unique_ptr<support::GuardedBytes> bytes_;
-};
+using support::word;
 
 struct Inputs {
     std::vector<Vec3> wo, wi, u;
@@ -356,28 +275,31 @@ TEST_CASE("batch: another number of varying views than declared is refused") {
 }
 
 TEST_CASE("batch: an output may be an input's own memory with the same strides") {
-    const support::Varying subject(support::models().back());
-    Inputs inputs(subject, 65);
-    const Inputs kept = inputs;
-    PellicleEvalBatchArgs eval{};
-    eval.count = 65;
-    eval.wo = {inputs.wo[0].data(), 12, 4};
-    eval.wi = {inputs.wi[0].data(), 12, 4};
-    eval.value = {inputs.wi[0].data(), 12, 4};
-    subject.bsdf().eval_batch(eval);
-    PellicleSampleBatchArgs sample{};
-    sample.count = 65;
-    sample.wo = eval.wo;
-    sample.u = {inputs.u[0].data(), 12, 4};
-    sample.wi = {inputs.u[0].data(), 12, 4};
-    sample.weight = {inputs.wo[0].data(), 12, 4};
-    subject.bsdf().sample_batch(sample);
-    for (std::size_t i = 0; i < 65; ++i) {
-        const auto value = subject.bsdf().value(kept.wo[i], kept.wi[i]);
-        const auto sampled = subject.bsdf().sample(kept.wo[i], kept.u[i]);
-        CHECK(support::same_bits(inputs.wi[i].data(), value.data(), 3));
-        CHECK(support::same_bits(inputs.u[i].data(), sampled.wi, 3));
-        CHECK(support::same_bits(inputs.wo[i].data(), sampled.weight, 3));
+    for (const support::Model &model : support::models()) {
+        CAPTURE(std::string(model.info.name));
+        const support::Varying subject(model);
+        Inputs inputs(subject, 65);
+        const Inputs kept = inputs;
+        PellicleEvalBatchArgs eval{};
+        eval.count = 65;
+        eval.wo = {inputs.wo[0].data(), 12, 4};
+        eval.wi = {inputs.wi[0].data(), 12, 4};
+        eval.value = {inputs.wi[0].data(), 12, 4};
+        subject.bsdf().eval_batch(eval);
+        PellicleSampleBatchArgs sample{};
+        sample.count = 65;
+        sample.wo = eval.wo;
+        sample.u = {inputs.u[0].data(), 12, 4};
+        sample.wi = {inputs.u[0].data(), 12, 4};
+        sample.weight = {inputs.wo[0].data(), 12, 4};
+        subject.bsdf().sample_batch(sample);
+        for (std::size_t i = 0; i < 65; ++i) {
+            const auto value = subject.bsdf().value(kept.wo[i], kept.wi[i]);
+            const auto sampled = subject.bsdf().sample(kept.wo[i], kept.u[i]);
+            CHECK(support::same_bits(inputs.wi[i].data(), value.data(), 3));
+            CHECK(support::same_bits(inputs.u[i].data(), sampled.wi, 3));
+            CHECK(support::same_bits(inputs.wo[i].data(), sampled.weight, 3));
+        }
     }
 }
 

@@ -16,6 +16,18 @@ float above(float x) {
     return std::nextafter(x, infinity);
 }
 
+// The film that a description of these parameters needs, if any.
+pellicle::Film film_for(const std::string &name, const std::vector<PellicleParam> &params,
+                        const std::vector<PellicleRange> &varying) {
+    const std::string thickness = "thickness_nm";
+    bool has_thickness = false;
+    for (const PellicleParam &param : params) has_thickness = has_thickness || param.name == thickness;
+    for (const PellicleRange &range : varying) has_thickness = has_thickness || range.name == thickness;
+    for (const support::Model &model : support::models())
+        if (model.info.name == name) return support::film_for(model, has_thickness);
+    return {};
+}
+
 // The status of a description; PELLICLE_OK releases what it made.
 PellicleStatus create(const std::string &model, const std::vector<PellicleParam> &params,
                       const std::vector<PellicleRange> &varying = {}) {
@@ -25,6 +37,8 @@ PellicleStatus create(const std::string &model, const std::vector<PellicleParam>
     desc.param_count = params.size();
     desc.varying = varying.data();
     desc.varying_count = varying.size();
+    const pellicle::Film film = film_for(model, params, varying);
+    desc.film = film.raw();
     PellicleBsdf *bsdf = nullptr;
     const PellicleStatus status = pellicle_bsdf_create(&desc, sizeof desc, &bsdf);
     CHECK_EQ(bsdf != nullptr, status == PELLICLE_OK);
@@ -247,6 +261,21 @@ TEST_CASE("varying: a parameter that cannot vary is refused as unsupported") {
             ++visited;
         }
     CHECK_GT(visited, 0);
+}
+
+TEST_CASE("film: refused by a model that uses none, and missed by one that needs it") {
+    int needing = 0;
+    for (const support::Model &model : support::models()) {
+        CAPTURE(std::string(model.info.name));
+        PellicleBsdfDesc desc{};
+        desc.model = model.info.name;
+        desc.film = model.info.needs_film ? nullptr : support::fixed_film().raw();
+        support::Untouched<PellicleBsdf *> bsdf;
+        CHECK_REFUSED(pellicle_bsdf_create(&desc, sizeof desc, &bsdf.output), PELLICLE_INVALID_ARGUMENT, "film");
+        CHECK(support::message_has(model.info.name));
+        needing += model.info.needs_film != 0;
+    }
+    CHECK_GT(needing, 0);
 }
 
 TEST_CASE("varying: what was declared is what info() counts") {

@@ -4,6 +4,7 @@
 
 #include <cfloat>
 #include <cmath>
+#include <optional>
 
 #include <pmmintrin.h>
 #include <xmmintrin.h>
@@ -104,6 +105,46 @@ TEST_CASE("float environment: a BSDF created under flush-to-zero is the same") {
     }
 }
 
+TEST_CASE("float environment: flush-to-zero and denormals-are-zero do not change a film, made or called under them") {
+    const auto all = [](const pellicle::Film &film, float cos_theta, float thickness_nm) {
+        std::vector<float> numbers;
+        const auto append = [&](const Vec3 &rgb) { numbers.insert(numbers.end(), rgb.begin(), rgb.end()); };
+        append(film.reflectance(cos_theta, thickness_nm));
+        append(film.reference(cos_theta, thickness_nm));
+        const pellicle::FilmColors colors = film.eval(cos_theta, thickness_nm, PELLICLE_SIDE_BASE);
+        append(colors.reflectance);
+        append(colors.transmittance);
+        const float lambda_nm = 550.0f;
+        float reflectance;
+        film.spectrum(cos_theta, thickness_nm, &lambda_nm, 1, &reflectance);
+        numbers.push_back(reflectance);
+        return numbers;
+    };
+    const auto builder = pellicle::FilmBuilder(pellicle::Medium::constant(1.5f))
+                             .layer(pellicle::Medium::constant(1.9f, 0.01f), 0, 400)
+                             .transmittance();
+    const pellicle::Film plain = builder.create();
+    std::optional<pellicle::Film> flushed;
+    {
+        const FloatControl control(_MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON);
+        flushed = builder.create();
+    }
+    for (const float cos_theta : {0.0f, 1e-40f, 1e-20f, 0.1f, 0.7f, 1.0f})
+        for (const float thickness_nm : {0.0f, 1e-40f, 1e-3f, 250.0f, 400.0f}) {
+            CAPTURE(cos_theta);
+            CAPTURE(thickness_nm);
+            const std::vector<float> expected = all(plain, cos_theta, thickness_nm);
+            CHECK(all(*flushed, cos_theta, thickness_nm) == expected);
+            std::vector<float> called;
+            {
+                const FloatControl control(_MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON);
+                called = all(plain, cos_theta, thickness_nm);
+            }
+            for (std::size_t i = 0; i < expected.size(); ++i)
+                CHECK_LE(std::fabs(called[i] - expected[i]), 1e-6f);
+        }
+}
+
 TEST_CASE("float environment: no call changes a control bit of MXCSR") {
     const unsigned rounding_modes[] = {_MM_ROUND_NEAREST, _MM_ROUND_DOWN, _MM_ROUND_UP, _MM_ROUND_TOWARD_ZERO};
     for (const unsigned rounding : rounding_modes)
@@ -114,7 +155,7 @@ TEST_CASE("float environment: no call changes a control bit of MXCSR") {
                 const unsigned before = _mm_getcsr() & control_bits;
                 const auto unchanged = [&] { return (_mm_getcsr() & control_bits) == before; };
 
-                const auto bsdf = pellicle::BsdfBuilder(model.info.name).create();
+                const auto bsdf = support::builder(model).create();
                 CHECK(unchanged());
                 const Vec3 wo = {0.6f, 0.0f, 0.8f}, wi = {0.0f, 0.6f, 0.8f}, u = {0.3f, 0.6f, 0.9f};
                 bsdf.eval(wo, wi);
@@ -141,4 +182,35 @@ TEST_CASE("float environment: no call changes a control bit of MXCSR") {
                 CHECK_THROWS_AS(pellicle::BsdfBuilder("no such model").create(), pellicle::Error);
                 CHECK(unchanged());
             }
+}
+
+TEST_CASE("float environment: no call of a film changes a control bit of MXCSR") {
+    const unsigned rounding_modes[] = {_MM_ROUND_NEAREST, _MM_ROUND_DOWN, _MM_ROUND_UP, _MM_ROUND_TOWARD_ZERO};
+    for (const unsigned rounding : rounding_modes)
+        for (const unsigned flush : {0u, unsigned{_MM_FLUSH_ZERO_ON} | unsigned{_MM_DENORMALS_ZERO_ON}}) {
+            const FloatControl control(rounding | flush);
+            const unsigned before = _mm_getcsr() & control_bits;
+            const auto unchanged = [&] { return (_mm_getcsr() & control_bits) == before; };
+
+            const auto film = pellicle::FilmBuilder("BK7").layer("TiO2", 0, 400).transmittance().create();
+            CHECK(unchanged());
+            film.reflectance(0.5f, 200.0f);
+            CHECK(unchanged());
+            film.eval(0.5f, 200.0f, PELLICLE_SIDE_BASE);
+            CHECK(unchanged());
+            film.reference(0.5f, 200.0f);
+            CHECK(unchanged());
+            const float lambda_nm = 550.0f, number = 0.5f;
+            float reflectance[3];
+            film.spectrum(0.5f, 200.0f, &lambda_nm, 1, reflectance);
+            CHECK(unchanged());
+            PellicleFilmBatchArgs args{};
+            args.count = 1;
+            args.cos_theta = args.thickness_nm = {&number, 4, 4};
+            args.reflectance = {reflectance, 12, 4};
+            film.reflectance_batch(args);
+            CHECK(unchanged());
+            CHECK_THROWS_AS(pellicle::FilmBuilder("no such medium").create(), pellicle::Error);
+            CHECK(unchanged());
+        }
 }

@@ -2,6 +2,7 @@
 // this build.
 #include "support.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -11,12 +12,13 @@ constexpr unsigned char guard = 0xA5;
 
 // Bytes that the compiler inserts; their content means nothing.
 struct Padding {
-    std::size_t begin = 0, end = 0;
+    std::size_t begin, end;
+    bool holds(std::size_t byte) const { return byte >= begin && byte < end; }
 };
 
 // Calls with every size from 1 to beyond this build's, and looks at each byte of the output. A size
 // of 0 or of nonsense is a mistake and refused.
-template <class Output, class Call> void check_written_up_to_size(Call call, Padding padding = {}) {
+template <class Output, class Call> void check_written_up_to_size(Call call, std::vector<Padding> paddings = {}) {
     Output full;
     std::memset(&full, 0, sizeof full);
     REQUIRE_EQ(call(&full, sizeof full), PELLICLE_OK);
@@ -30,7 +32,7 @@ template <class Output, class Call> void check_written_up_to_size(Call call, Pad
         REQUIRE_EQ(call(reinterpret_cast<Output *>(buffer), size), PELLICLE_OK);
         bool as_expected = true;
         for (std::size_t i = 0; i < sizeof buffer; ++i) {
-            if (i >= padding.begin && i < padding.end) continue;
+            if (std::any_of(paddings.begin(), paddings.end(), [i](Padding padding) { return padding.holds(i); })) continue;
             as_expected = as_expected && buffer[i] == (i < size && i < sizeof full ? expected[i] : guard);
         }
         CHECK(as_expected);
@@ -75,6 +77,17 @@ struct SampleBatch {
     }
 };
 
+struct FilmBatch {
+    float cosine = 1.0f;
+    float reflectance[3] = {-1.0f, -1.0f, -1.0f};
+    PellicleFilmBatchArgs args{};
+    FilmBatch() {
+        args.count = 1;
+        args.cos_theta = {&cosine, 4, 4};
+        args.reflectance = {reflectance, 12, 4};
+    }
+};
+
 // `input` followed by `tail` bytes of which the one at `position` is `byte`; ends at a guard page.
 template <class Input> class WithTail {
 public:
@@ -115,12 +128,13 @@ template <class Input, class Call> PellicleStatus call_truncated(const Input &in
 
 TEST_CASE("growth: a model's description is written up to the size given") {
     check_written_up_to_size<PellicleModelInfo>(
-        [](PellicleModelInfo *info, std::size_t size) { return pellicle_model_info(0, info, size); }, {36, 40});
+        [](PellicleModelInfo *info, std::size_t size) { return pellicle_model_info(0, info, size); },
+        {{36, 40}, {60, 64}});
 }
 
 TEST_CASE("growth: a parameter's description is written up to the size given") {
     check_written_up_to_size<PellicleModelParam>(
-        [](PellicleModelParam *info, std::size_t size) { return pellicle_model_param(0, 0, info, size); }, {68, 72});
+        [](PellicleModelParam *info, std::size_t size) { return pellicle_model_param(0, 0, info, size); }, {{68, 72}});
 }
 
 TEST_CASE("growth: what a BSDF is, is written up to the size given") {
@@ -184,6 +198,59 @@ TEST_CASE("growth: older, shorter sample batch arguments leave out the outputs t
     CHECK_EQ(batch.lobe, 77);
 }
 
+TEST_CASE("growth: an older BSDF description ends before its film") {
+    PellicleBsdfDesc desc{};
+    desc.model = "lambert";
+    desc.film = reinterpret_cast<const PellicleFilm *>(std::uintptr_t{16});
+    const auto create = [](const PellicleBsdfDesc *truncated, std::size_t size) {
+        PellicleBsdf *raw = nullptr;
+        const PellicleStatus status = pellicle_bsdf_create(truncated, size, &raw);
+        pellicle_bsdf_release(raw);
+        return status;
+    };
+    CHECK_EQ(call_truncated(desc, offsetof(PellicleBsdfDesc, film), create), PELLICLE_OK);
+}
+
+TEST_CASE("growth: an older, shorter film description means default for what it lacks") {
+    PellicleFilmDesc desc{};
+    desc.base = support::medium(1.5f);
+    desc.tolerance = -1.0f;
+    desc.white = desc.color_space = desc.method = "no such name";
+    desc.unclipped = desc.transmittance = 2;
+    const auto create = [](const PellicleFilmDesc *truncated, std::size_t size) {
+        PellicleFilm *raw = nullptr;
+        const PellicleStatus status = pellicle_film_create(truncated, size, &raw);
+        const pellicle::Film film(raw);
+        if (status == PELLICLE_OK) CHECK_EQ(film.plan().tolerance, 2e-3f);
+        return status;
+    };
+    CHECK_EQ(call_truncated(desc, offsetof(PellicleFilmDesc, tolerance), create), PELLICLE_OK);
+    CHECK_EQ(call_truncated(desc, offsetof(PellicleFilmDesc, white), create), PELLICLE_OUT_OF_RANGE);
+    desc.tolerance = 0.0f;
+    CHECK_EQ(call_truncated(desc, offsetof(PellicleFilmDesc, white), create), PELLICLE_OK);
+    CHECK_EQ(call_truncated(desc, offsetof(PellicleFilmDesc, color_space), create), PELLICLE_UNKNOWN_NAME);
+    CHECK_REFUSED(call_truncated(desc, offsetof(PellicleFilmDesc, base), create), PELLICLE_INVALID_ARGUMENT, "base");
+    CHECK_EQ(call_truncated(desc, 0, create), PELLICLE_INVALID_ARGUMENT);
+}
+
+TEST_CASE("growth: a film's plan is written up to the size given") {
+    check_written_up_to_size<PellicleFilmPlan>(
+        [](PellicleFilmPlan *plan, std::size_t size) {
+            return pellicle_film_plan(support::fixed_film().raw(), plan, size);
+        },
+        {{20, 24}});
+}
+
+TEST_CASE("growth: film batch arguments too short for their output are refused") {
+    FilmBatch batch;
+    const auto call = [](const PellicleFilmBatchArgs *args, std::size_t size) {
+        return pellicle_film_reflectance_batch(support::fixed_film().raw(), args, size);
+    };
+    CHECK_REFUSED(call_truncated(batch.args, offsetof(PellicleFilmBatchArgs, reflectance), call),
+                  PELLICLE_INVALID_ARGUMENT, "reflectance");
+    CHECK_EQ(batch.reflectance[0], -1.0f);
+}
+
 TEST_CASE("growth: a newer description is refused if it uses what this build does not know") {
     PellicleBsdfDesc desc{};
     desc.model = "lambert";
@@ -192,6 +259,15 @@ TEST_CASE("growth: a newer description is refused if it uses what this build doe
         const PellicleStatus status = pellicle_bsdf_create(longer, size, &raw);
         CHECK_EQ(raw != nullptr, status == PELLICLE_OK);
         pellicle_bsdf_release(raw);
+        return status;
+    });
+    PellicleFilmDesc film{};
+    film.base = support::medium(1.5f);
+    check_tails(film, [](const PellicleFilmDesc *longer, std::size_t size) {
+        PellicleFilm *raw = nullptr;
+        const PellicleStatus status = pellicle_film_create(longer, size, &raw);
+        CHECK_EQ(raw != nullptr, status == PELLICLE_OK);
+        pellicle_film_release(raw);
         return status;
     });
 }
@@ -210,6 +286,13 @@ TEST_CASE("growth: newer batch arguments are refused if they use what this build
         sample.pdf = -1.0f;
         const PellicleStatus status = pellicle_bsdf_sample_batch(bsdf.raw(), longer, size);
         CHECK_EQ(sample.pdf == -1.0f, status != PELLICLE_OK);
+        return status;
+    });
+    FilmBatch film;
+    check_tails(film.args, [&](const PellicleFilmBatchArgs *longer, std::size_t size) {
+        film.reflectance[0] = -1.0f;
+        const PellicleStatus status = pellicle_film_reflectance_batch(support::fixed_film().raw(), longer, size);
+        CHECK_EQ(film.reflectance[0] == -1.0f, status != PELLICLE_OK);
         return status;
     });
 }

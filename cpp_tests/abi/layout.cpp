@@ -11,7 +11,8 @@
 #include "layout.h"
 
 // A container of handles must move them, not copy (and retain) them.
-static_assert(std::is_nothrow_move_constructible_v<pellicle::Bsdf>);
-static_assert(std::is_nothrow_move_assignable_v<pellicle::Bsdf>);
-static_assert(std::is_nothrow_destructible_v<pellicle::Bsdf>);
-static_assert(std::is_copy_constructible_v<pellicle::Bsdf>);
+template <class Handle> constexpr bool moves = std::is_nothrow_move_constructible_v<Handle> &&
+    std::is_nothrow_move_assignable_v<Handle> && std::is_nothrow_destructible_v<Handle> &&
+    std::is_copy_constructible_v<Handle>;
+static_assert(moves<pellicle::Bsdf>);
+static_assert(moves<pellicle::Film>);

@@ -1,9 +1,9 @@
 // Every pointer of every function, NULL one at a time: refused by name, with the outputs untouched.
 #include "support.hpp"
 
-#include <cstring>
-
 namespace {
+
+using support::Untouched;
 
 const float up[3] = {0.0f, 0.0f, 1.0f};
 const float u[3] = {0.3f, 0.6f, 0.9f};
@@ -11,17 +11,6 @@ const float u[3] = {0.3f, 0.6f, 0.9f};
 pellicle::Bsdf lambert() {
     return pellicle::BsdfBuilder("lambert").create();
 }
-
-// An output full of a pattern that no call writes.
-template <class Output> struct Untouched {
-    Output output;
-    Untouched() { std::memset(&output, 0x5A, sizeof output); }
-    ~Untouched() {
-        unsigned char pattern[sizeof output];
-        std::memset(pattern, 0x5A, sizeof pattern);
-        CHECK_EQ(std::memcmp(&output, pattern, sizeof output), 0);
-    }
-};
 
 PellicleStatus create(const PellicleBsdfDesc &desc) {
     Untouched<PellicleBsdf *> bsdf;
@@ -192,6 +181,98 @@ TEST_CASE("null: sample_batch refuses every missing pointer but the outputs not 
     changed = args;
     changed.varying_count = 1;
     CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "varying");
+}
+
+TEST_CASE("null: film create refuses every missing pointer of its description") {
+    Untouched<PellicleFilm *> film;
+    PellicleFilmDesc glass{};
+    glass.base = support::medium(1.5f);
+    CHECK_REFUSED(pellicle_film_create(nullptr, sizeof glass, &film.output), PELLICLE_INVALID_ARGUMENT, "desc");
+    CHECK_REFUSED(pellicle_film_create(&glass, sizeof glass, nullptr), PELLICLE_INVALID_ARGUMENT, "film");
+
+    PellicleFilmDesc desc = glass;
+    desc.layer_count = 1;
+    CHECK_REFUSED(pellicle_film_create(&desc, sizeof desc, &film.output), PELLICLE_INVALID_ARGUMENT, "layers");
+
+    const float numbers[2] = {500.0f, 600.0f};
+    for (const float *PellicleMedium::*part :
+         {&PellicleMedium::table_nm, &PellicleMedium::table_eta, &PellicleMedium::table_k}) {
+        desc = PellicleFilmDesc{};
+        desc.base.table_nm = desc.base.table_eta = desc.base.table_k = numbers;
+        desc.base.table_count = 2;
+        desc.base.*part = nullptr;
+        CHECK_REFUSED(pellicle_film_create(&desc, sizeof desc, &film.output), PELLICLE_INVALID_ARGUMENT,
+                      "base: table_");
+    }
+}
+
+TEST_CASE("null: film retain refuses it, release takes it as nothing to do") {
+    CHECK_REFUSED(pellicle_film_retain(nullptr), PELLICLE_INVALID_ARGUMENT, "film");
+    pellicle_film_release(nullptr);
+}
+
+TEST_CASE("null: the calls of a film refuse a missing film and missing outputs") {
+    const PellicleFilm *film = support::fixed_film().raw();
+    Untouched<PellicleFilmPlan> plan;
+    Untouched<float[3]> rgb, other;
+    CHECK_REFUSED(pellicle_film_plan(nullptr, &plan.output, sizeof plan.output), PELLICLE_INVALID_ARGUMENT, "film");
+    CHECK_REFUSED(pellicle_film_plan(film, nullptr, sizeof plan.output), PELLICLE_INVALID_ARGUMENT, "plan");
+    CHECK_REFUSED(pellicle_film_reflectance(nullptr, 1.0f, 0.0f, rgb.output), PELLICLE_INVALID_ARGUMENT, "film");
+    CHECK_REFUSED(pellicle_film_reflectance(film, 1.0f, 0.0f, nullptr), PELLICLE_INVALID_ARGUMENT, "rgb");
+    CHECK_REFUSED(pellicle_film_reference(nullptr, 1.0f, 0.0f, rgb.output), PELLICLE_INVALID_ARGUMENT, "film");
+    CHECK_REFUSED(pellicle_film_reference(film, 1.0f, 0.0f, nullptr), PELLICLE_INVALID_ARGUMENT, "rgb");
+    CHECK_REFUSED(pellicle_film_eval(nullptr, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, rgb.output, other.output),
+                  PELLICLE_INVALID_ARGUMENT, "film");
+    CHECK_REFUSED(pellicle_film_eval(film, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, nullptr, nullptr),
+                  PELLICLE_INVALID_ARGUMENT, "reflectance");
+
+    const float lambda_nm = 550.0f;
+    CHECK_REFUSED(pellicle_film_spectrum(nullptr, 1.0f, 0.0f, &lambda_nm, 1, rgb.output), PELLICLE_INVALID_ARGUMENT,
+                  "film");
+    CHECK_REFUSED(pellicle_film_spectrum(film, 1.0f, 0.0f, nullptr, 1, rgb.output), PELLICLE_INVALID_ARGUMENT,
+                  "lambda_nm");
+    CHECK_REFUSED(pellicle_film_spectrum(film, 1.0f, 0.0f, &lambda_nm, 1, nullptr), PELLICLE_INVALID_ARGUMENT,
+                  "reflectance");
+    CHECK_EQ(pellicle_film_spectrum(film, 1.0f, 0.0f, nullptr, 0, nullptr), PELLICLE_OK);
+}
+
+TEST_CASE("null: either output of film eval may be missing, and the other does not change for it") {
+    const pellicle::Film &film = support::fixed_film();
+    for (const std::uint32_t side : {PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE}) {
+        const pellicle::FilmColors both = film.eval(0.5f, 0.0f, side);
+        float reflectance[3], transmittance[3];
+        CHECK_EQ(pellicle_film_eval(film.raw(), 0.5f, 0.0f, side, reflectance, nullptr), PELLICLE_OK);
+        CHECK_EQ(pellicle_film_eval(film.raw(), 0.5f, 0.0f, side, nullptr, transmittance), PELLICLE_OK);
+        CHECK(support::same_bits(reflectance, both.reflectance.data(), 3));
+        CHECK(support::same_bits(transmittance, both.transmittance.data(), 3));
+    }
+}
+
+TEST_CASE("null: the film batch refuses every missing pointer but thicknesses where none varies") {
+    Untouched<float[3]> reflectance;
+    const float number = 1.0f;
+    PellicleFilmBatchArgs args{};
+    args.count = 1;
+    args.cos_theta = args.thickness_nm = {&number, 4, 4};
+    args.reflectance = {reflectance.output, 12, 4};
+    const PellicleFilm *film = support::varying_film().raw();
+    const auto call = [&](const PellicleFilmBatchArgs &changed) {
+        return pellicle_film_reflectance_batch(film, &changed, sizeof changed);
+    };
+    CHECK_REFUSED(pellicle_film_reflectance_batch(nullptr, &args, sizeof args), PELLICLE_INVALID_ARGUMENT, "film");
+    CHECK_REFUSED(pellicle_film_reflectance_batch(film, nullptr, sizeof args), PELLICLE_INVALID_ARGUMENT, "args");
+
+    PellicleFilmBatchArgs changed = args;
+    changed.cos_theta.data = nullptr;
+    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "cos_theta");
+    changed = args;
+    changed.thickness_nm.data = nullptr;
+    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "thickness_nm");
+    changed.count = 0;
+    CHECK_EQ(call(changed), PELLICLE_OK);
+    changed = args;
+    changed.reflectance.data = nullptr;
+    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "reflectance");
 }
 
 TEST_CASE("null: no text that the library returns is missing") {

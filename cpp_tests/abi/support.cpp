@@ -8,6 +8,56 @@
 
 namespace support {
 
+PellicleMedium medium(const char *name) {
+    PellicleMedium result{};
+    result.name = name;
+    return result;
+}
+
+PellicleMedium medium(float eta, float k) {
+    PellicleMedium result{};
+    for (int channel = 0; channel < 3; ++channel) {
+        result.eta[channel] = eta;
+        result.k[channel] = k;
+    }
+    return result;
+}
+
+const pellicle::Film &varying_film() {
+    static const pellicle::Film film = pellicle::FilmBuilder(pellicle::Medium::constant(1.5f))
+                                           .layer("MgF2", 0.0f, varying_film_max_nm)
+                                           .transmittance()
+                                           .create();
+    return film;
+}
+
+const pellicle::Film &fixed_film() {
+    static const pellicle::Film film =
+        pellicle::FilmBuilder(pellicle::Medium::constant(1.5f)).layer("MgF2", 100.0f).transmittance().create();
+    return film;
+}
+
+pellicle::Film film_for(const Model &model, bool has_thickness) {
+    if (!model.info.needs_film) return {};
+    return has_thickness ? varying_film() : fixed_film();
+}
+
+pellicle::BsdfBuilder builder(const Model &model) {
+    pellicle::BsdfBuilder result(model.info.name);
+    result.film(film_for(model, false));
+    return result;
+}
+
+PellicleStatus create_film(const PellicleFilmDesc &desc) {
+    Untouched<PellicleFilm *> film;
+    const PellicleStatus status = pellicle_film_create(&desc, sizeof desc, &film.output);
+    if (status == PELLICLE_OK) {
+        pellicle_film_release(film.output);
+        film.restore();
+    }
+    return status;
+}
+
 std::vector<Model> models() {
     std::vector<Model> result(pellicle_model_count());
     REQUIRE_FALSE(result.empty());
@@ -17,12 +67,16 @@ std::vector<Model> models() {
         for (std::size_t param = 0; param < result[model].params.size(); ++param)
             REQUIRE_EQ(pellicle_model_param(model, param, &result[model].params[param], sizeof(PellicleModelParam)),
                        PELLICLE_OK);
+        if (!result[model].info.needs_film) continue;
+        for (PellicleModelParam &param : result[model].params)
+            if (param.name == std::string("thickness_nm")) param.max = varying_film_max_nm;
     }
     return result;
 }
 
 Varying::Varying(const Model &model) {
     pellicle::BsdfBuilder builder(model.info.name);
+    builder.film(film_for(model, true));
     for (const PellicleModelParam &param : model.params) {
         if (!param.can_vary) continue;
         components_.push_back(param.components);

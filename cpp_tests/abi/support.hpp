@@ -1,4 +1,4 @@
-// What the ABI tests share: the catalogue of models, handles with everything varying, random
+// What the ABI tests share: the catalogue of models, handles with everything varying, films, random
 // inputs, and memory whose end is guarded.
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <string>
@@ -21,13 +22,30 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 using Vec3 = std::array<float, 3>;
 
+// A medium in the C structs, by its name or with an index that is the same at every wavelength.
+PellicleMedium medium(const char *name);
+PellicleMedium medium(float eta, float k = 0.0f);
+
+// Transparent films of one layer that keep their transmittance. The layer's thickness varies within
+// [0, 400] nm.
+const pellicle::Film &varying_film();
+constexpr float varying_film_max_nm = 400.0f;
+const pellicle::Film &fixed_film();
+
 // A model as introspection describes it. Tests iterate over all of them, so that a new model cannot
 // be forgotten.
 struct Model {
     PellicleModelInfo info;
+    // The range of a film's thickness is narrowed to that of varying_film().
     std::vector<PellicleModelParam> params;
 };
 std::vector<Model> models();
+
+// The film for a BSDF, if its model needs one: that with a varying thickness if one is stated.
+pellicle::Film film_for(const Model &model, bool has_thickness);
+
+// The model with every parameter at its default.
+pellicle::BsdfBuilder builder(const Model &model);
 
 // A BSDF in which every parameter that can vary does, in the order of introspection.
 class Varying {
@@ -62,6 +80,21 @@ bool all_zero(const PellicleSample &sample);
 
 // The text of the latest failure of this thread contains these words.
 bool message_has(const std::string &words);
+
+// The status of a description. What it makes is released at once; a failure must make nothing.
+PellicleStatus create_film(const PellicleFilmDesc &desc);
+
+// An output full of a pattern that no call writes, and that a failing call must leave.
+template <class Output> struct Untouched {
+    Output output;
+    Untouched() { restore(); }
+    void restore() { std::memset(&output, 0x5A, sizeof output); }
+    ~Untouched() {
+        unsigned char pattern[sizeof output];
+        std::memset(pattern, 0x5A, sizeof pattern);
+        CHECK_EQ(std::memcmp(&output, pattern, sizeof output), 0);
+    }
+};
 
 // `size` bytes that end where an inaccessible page begins: an access past them stops the program.
 // Aligned for any type if `size` is a multiple of 16, of 8 if it is a multiple of 8.

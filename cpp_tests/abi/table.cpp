@@ -36,6 +36,15 @@ TEST_CASE("table: every entry is the linked function of that name") {
     CHECK_ENTRY(bsdf_albedo);
     CHECK_ENTRY(bsdf_eval_batch);
     CHECK_ENTRY(bsdf_sample_batch);
+    CHECK_ENTRY(film_create);
+    CHECK_ENTRY(film_retain);
+    CHECK_ENTRY(film_release);
+    CHECK_ENTRY(film_plan);
+    CHECK_ENTRY(film_reflectance);
+    CHECK_ENTRY(film_eval);
+    CHECK_ENTRY(film_reflectance_batch);
+    CHECK_ENTRY(film_reference);
+    CHECK_ENTRY(film_spectrum);
 #undef CHECK_ENTRY
 }
 

@@ -62,15 +62,18 @@ TEST_CASE("threads: a handle shared by many threads gives what it gives one") {
 }
 
 TEST_CASE("threads: retain, release and create from many threads leave a shared handle usable") {
-    const support::Varying varying(support::models().back());
-    const std::vector<Results> expected = results(varying.bsdf(), varying);
-    on_threads([&](int) {
-        for (int i = 0; i < 2000; ++i) {
-            const pellicle::Bsdf shared = varying.bsdf();
-            const pellicle::Bsdf other = pellicle::BsdfBuilder("lambert").create();
-        }
-    });
-    CHECK(results(varying.bsdf(), varying) == expected);
+    for (const support::Model &model : support::models()) {
+        CAPTURE(std::string(model.info.name));
+        const support::Varying varying(model);
+        const std::vector<Results> expected = results(varying.bsdf(), varying);
+        on_threads([&](int) {
+            for (int i = 0; i < 2000; ++i) {
+                const pellicle::Bsdf shared = varying.bsdf();
+                const pellicle::Bsdf other = support::builder(model).create();
+            }
+        });
+        CHECK(results(varying.bsdf(), varying) == expected);
+    }
 }
 
 TEST_CASE("references: as many releases as retains keep the handle, one more frees it") {
@@ -122,6 +125,103 @@ TEST_CASE("create: descriptions are copied, the caller may overwrite them at onc
     range = {};
     CHECK(support::same_bits(bsdf.value(up, up).data(), before.data(), 3));
     CHECK_EQ(std::string(bsdf.info().model), "lambert");
+}
+
+TEST_CASE("threads: a film shared by many threads gives what it gives one") {
+    const auto colors = [] {
+        std::vector<pellicle::FilmColors> all;
+        for (int i = 0; i < 200; ++i)
+            for (const std::uint32_t side : {PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE})
+                all.push_back(support::varying_film().eval(0.005f * float(i), 2.0f * float(i), side));
+        return all;
+    };
+    static_assert(sizeof(pellicle::FilmColors) == 6 * sizeof(float), "no padding to compare");
+    const auto same = [](const auto &a, const auto &b) {
+        return std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+    };
+    const std::vector<pellicle::FilmColors> expected = colors();
+    std::atomic<int> equal{0};
+    on_threads([&](int) { equal += same(colors(), expected); });
+    CHECK_EQ(equal, thread_count);
+}
+
+TEST_CASE("threads: retain and release of a film, and BSDFs that share it, from many threads") {
+    const pellicle::Film film = pellicle::FilmBuilder("BK7").layer("MgF2", 100).create();
+    const Vec3 expected = film.reflectance(0.5f);
+    on_threads([&](int) {
+        for (int i = 0; i < 2000; ++i) {
+            const pellicle::Film shared = film;
+            const pellicle::Bsdf bsdf = pellicle::BsdfBuilder("film").film(shared).create();
+        }
+    });
+    CHECK(support::same_bits(film.reflectance(0.5f).data(), expected.data(), 3));
+}
+
+TEST_CASE("references: as many releases as retains keep a film, one more frees it") {
+    PellicleFilmDesc desc{};
+    desc.base = support::medium("BK7");
+    desc.method = "reference"; // the quickest to create
+    const auto create_and_free = [&](int retains) {
+        PellicleFilm *film = nullptr;
+        REQUIRE_EQ(pellicle_film_create(&desc, sizeof desc, &film), PELLICLE_OK);
+        for (int i = 0; i < retains; ++i) REQUIRE_EQ(pellicle_film_retain(film), PELLICLE_OK);
+        for (int i = 0; i <= retains; ++i) pellicle_film_release(film);
+    };
+    // The allocator's own caches fill during the first rounds.
+    for (int i = 0; i < 200; ++i) create_and_free(3);
+    const std::size_t before = bytes_in_use();
+    for (int i = 0; i < 50; ++i) create_and_free(3);
+    CHECK_EQ(bytes_in_use(), before);
+}
+
+TEST_CASE("references: a BSDF keeps its film, and gives it up at its end") {
+    PellicleFilmDesc film_desc{};
+    film_desc.base = support::medium("BK7");
+    film_desc.method = "reference";
+    const Vec3 up = {0.0f, 0.0f, 1.0f}, u = {0.5f, 0.5f, 0.5f};
+    const Vec3 expected = pellicle::Film(film_desc).reflectance(1.0f);
+    const auto create_and_free = [&] {
+        PellicleFilm *film = nullptr;
+        REQUIRE_EQ(pellicle_film_create(&film_desc, sizeof film_desc, &film), PELLICLE_OK);
+        PellicleBsdfDesc desc{};
+        desc.model = "film";
+        desc.film = film;
+        const pellicle::Bsdf bsdf(desc);
+        desc.model = "lambert";
+        PellicleBsdf *refused = nullptr;
+        REQUIRE_EQ(pellicle_bsdf_create(&desc, sizeof desc, &refused), PELLICLE_INVALID_ARGUMENT);
+        pellicle_film_release(film);
+        CHECK(support::same_bits(bsdf.sample(up, u).weight, expected.data(), 3));
+    };
+    for (int i = 0; i < 200; ++i) create_and_free();
+    const std::size_t before = bytes_in_use();
+    for (int i = 0; i < 50; ++i) create_and_free();
+    CHECK_EQ(bytes_in_use(), before);
+}
+
+TEST_CASE("create: a film's description is copied, the caller may overwrite it at once") {
+    char base[] = "Si", white[] = "D65", space[] = "acescg";
+    float nm[] = {400.0f, 700.0f}, eta[] = {1.6f, 1.5f}, k[] = {0.1f, 0.0f};
+    PellicleLayer layer{};
+    layer.medium.table_nm = nm;
+    layer.medium.table_eta = eta;
+    layer.medium.table_k = k;
+    layer.medium.table_count = 2;
+    layer.thickness_min_nm = layer.thickness_max_nm = 150.0f;
+    PellicleFilmDesc desc{};
+    desc.layers = &layer;
+    desc.layer_count = 1;
+    desc.base = support::medium(base);
+    desc.white = white;
+    desc.color_space = space;
+    const pellicle::Film film(desc);
+    const Vec3 reflectance = film.reflectance(0.6f), reference = film.reference(0.6f);
+    for (char *text : {base, white, space}) std::memset(text, 'x', std::strlen(text));
+    for (float *numbers : {nm, eta, k}) numbers[0] = numbers[1] = -1.0f;
+    layer = {};
+    desc = {};
+    CHECK(support::same_bits(film.reflectance(0.6f).data(), reflectance.data(), 3));
+    CHECK(support::same_bits(film.reference(0.6f).data(), reference.data(), 3));
 }
 
 TEST_CASE("last error: never NULL, empty in a thread without failures, and each thread's own") {

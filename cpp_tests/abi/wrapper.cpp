@@ -101,3 +101,92 @@ TEST_CASE("wrapper: the calls return what the C functions write") {
     CHECK(support::same_bits(bsdf.sample(up, u), sample));
     CHECK(support::same_bits(bsdf.albedo(up).data(), albedo, 3));
 }
+
+TEST_CASE("wrapper: a copy of a film shares the handle, a move leaves an empty one") {
+    pellicle::Film copy;
+    {
+        const pellicle::Film original = pellicle::FilmBuilder("BK7").create();
+        copy = original;
+        CHECK_EQ(copy.raw(), original.raw());
+    }
+    CHECK_GT(copy.reflectance(1.0f)[0], 0.0f);
+    PellicleFilm *const raw = copy.raw();
+    const pellicle::Film moved = std::move(copy);
+    CHECK_EQ(moved.raw(), raw);
+    CHECK_EQ(copy.raw(), nullptr);
+    CHECK_THROWS_AS(copy.reflectance(1.0f), pellicle::Error);
+    CHECK_THROWS_AS(pellicle::Film().plan(), pellicle::Error);
+}
+
+TEST_CASE("wrapper: the film builder describes what the C structs do") {
+    const float nm[] = {400.0f, 700.0f}, eta[] = {1.5f, 1.4f}, k[] = {0.1f, 0.0f};
+    PellicleLayer layers[3] = {{support::medium("MgF2"), 80.0f, 80.0f}, {{}, 0.0f, 400.0f}, {support::medium(2.0f, 0.1f), 50.0f, 50.0f}};
+    layers[1].medium.table_nm = nm;
+    layers[1].medium.table_eta = eta;
+    layers[1].medium.table_k = k;
+    layers[1].medium.table_count = 2;
+    PellicleFilmDesc desc{};
+    desc.ambient = support::medium("water");
+    desc.layers = layers;
+    desc.layer_count = 3;
+    for (int channel = 0; channel < 3; ++channel) {
+        desc.base.eta[channel] = 1.5f + 0.1f * float(channel);
+        desc.base.k[channel] = 0.2f * float(channel);
+    }
+    desc.tolerance = 1e-3f;
+    desc.white = "D65";
+    desc.color_space = "acescg";
+    desc.method = "reference";
+    desc.unclipped = desc.transmittance = 1;
+    const pellicle::Film by_structs(desc);
+
+    using pellicle::Medium;
+    const auto builder = pellicle::FilmBuilder(Medium::rgb({1.5f, 1.6f, 1.7f}, {0.0f, 0.2f, 0.4f}))
+                             .ambient("water")
+                             .layer(std::string("MgF2"), 80)
+                             .layer(Medium::table({{400, 1.5f, 0.1f}, {700, 1.4f, 0.0f}}), 0, 400)
+                             .layer(Medium::constant(2.0f, 0.1f), 50)
+                             .tolerance(1e-3f)
+                             .white("D65")
+                             .color_space("acescg")
+                             .method("reference")
+                             .unclipped()
+                             .transmittance();
+    const pellicle::Film by_names = builder.create();
+    const pellicle::FilmColors a = by_structs.eval(0.7f, 222.0f), b = by_names.eval(0.7f, 222.0f);
+    CHECK(support::same_bits(a.reflectance.data(), b.reflectance.data(), 3));
+    CHECK(support::same_bits(a.transmittance.data(), b.transmittance.data(), 3));
+    CHECK_EQ(by_names.plan().tolerance, 1e-3f);
+    CHECK_EQ(std::string(by_names.plan().method), "reference");
+
+    // A builder may be used again.
+    CHECK_NE(builder.create().raw(), by_names.raw());
+    CHECK_THROWS_AS(pellicle::FilmBuilder(Medium()).create(), pellicle::Error);
+    CHECK_THROWS_AS(pellicle::FilmBuilder("BK7").layer(Medium::table({}), 10).create(), pellicle::Error);
+}
+
+TEST_CASE("wrapper: the calls of a film return what the C functions write") {
+    const pellicle::Film &film = support::varying_film();
+    float rgb[3], transmittance[3];
+    REQUIRE_EQ(pellicle_film_reflectance(film.raw(), 0.7f, 123.0f, rgb), PELLICLE_OK);
+    CHECK(support::same_bits(film.reflectance(0.7f, 123.0f).data(), rgb, 3));
+    REQUIRE_EQ(pellicle_film_reference(film.raw(), 0.7f, 123.0f, rgb), PELLICLE_OK);
+    CHECK(support::same_bits(film.reference(0.7f, 123.0f).data(), rgb, 3));
+    REQUIRE_EQ(pellicle_film_eval(film.raw(), 0.7f, 123.0f, PELLICLE_SIDE_BASE, rgb, transmittance), PELLICLE_OK);
+    const pellicle::FilmColors colors = film.eval(0.7f, 123.0f, PELLICLE_SIDE_BASE);
+    CHECK(support::same_bits(colors.reflectance.data(), rgb, 3));
+    CHECK(support::same_bits(colors.transmittance.data(), transmittance, 3));
+    CHECK_FALSE(support::same_bits(film.eval(0.7f, 123.0f).transmittance.data(), transmittance, 3));
+}
+
+TEST_CASE("wrapper: a builder's BSDF has the film that it was given") {
+    const pellicle::Film &film = support::fixed_film();
+    const pellicle::Bsdf bsdf = pellicle::BsdfBuilder("film").film(film).create();
+    const Vec3 reflected = bsdf.sample(up, Vec3{0.0f, 0.5f, 0.5f}).weight[0] > 0.0f ? bsdf.albedo(up) : Vec3{};
+    const pellicle::FilmColors colors = film.eval(1.0f);
+    // From outside, what is transmitted counts as radiance: the power over the square of the index.
+    for (int channel = 0; channel < 3; ++channel) {
+        const float expected = colors.reflectance[channel] + colors.transmittance[channel] / (1.5f * 1.5f);
+        CHECK_EQ(reflected[channel], doctest::Approx(expected).epsilon(1e-4));
+    }
+}

@@ -29,6 +29,7 @@ public:
     }
 
     const SurfacePoint &point() const { return point_; }
+    bool onlyDirac() const { return material_.onlyDirac(); }
 
     struct Scattering {
         Rgb value{0};
@@ -112,9 +113,12 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
     // and how many samples of the light it competes with.
     float bsdfPdf = 0;
     int lightSamples = settings.lightSamples;
-    const auto limited = [&](const Rgb &light, int reflections) {
+    // Reflections behind the camera's, those in mirrors seen by it not counted.
+    int reflections = 0;
+    bool inMirrors = true;
+    const auto limited = [&](const Rgb &light, int behind) {
         const float brightest = maxComponent(light);
-        return reflections > 0 && brightest > settings.indirectLimit
+        return behind > 0 && brightest > settings.indirectLimit
                    ? light * (settings.indirectLimit / brightest)
                    : light;
     };
@@ -127,24 +131,28 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
             if (bsdfPdf > 0 && settings.technique == Technique::combined)
                 weight = powerHeuristic(bsdfPdf,
                                         static_cast<float>(lightSamples) * environment.pdf(ray.direction));
-            return sum + limited(throughput * environment.radiance(ray.direction) * weight, bounce - 1);
+            return sum + limited(throughput * environment.radiance(ray.direction) * weight, reflections - 1);
         }
         const Shading shading(*hit, -ray.direction);
         const SurfacePoint &point = shading.point();
         if (bounce == 0) firstHit = {point.shading.normal, hit->distance};
         if (bounce == settings.maxBounces) return sum;
 
-        lightSamples = bounce == 0 ? settings.lightSamples : 1;
-        const V2f lightUniforms = sampler.next2d();
-        if (settings.technique != Technique::bsdf)
-            sum += limited(throughput * sampleLight(shading, world, environment, settings.technique,
-                                                    lightUniforms, lightSamples),
-                           bounce);
+        lightSamples = inMirrors ? settings.lightSamples : 1;
+        if (!shading.onlyDirac()) {
+            const V2f lightUniforms = sampler.next2d();
+            if (settings.technique != Technique::bsdf)
+                sum += limited(throughput * sampleLight(shading, world, environment, settings.technique,
+                                                        lightUniforms, lightSamples),
+                               reflections);
+        }
 
         const float lobe = sampler.next1d();
         const Shading::Sample next = shading.sample(lobe, sampler.next2d());
         throughput *= next.weight;
         bsdfPdf = next.dirac ? 0 : next.pdf;
+        inMirrors = inMirrors && next.dirac;
+        if (!inMirrors) ++reflections;
         ray = leaveSurface(point.position, point.geometricNormal, next.toLight);
 
         // Russian roulette (J. Arvo and D. Kirk, "Particle Transport and Image Synthesis", SIGGRAPH

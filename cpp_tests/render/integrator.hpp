@@ -18,10 +18,11 @@ enum class Technique {
 
 struct PathSettings {
     Technique technique = Technique::combined;
-    int lightSamples = 4; ///< at the first surface, where noise is seen; one at later ones
+    int lightSamples = 4; ///< at the first surface, seen directly or in mirrors; one at later ones
     int maxBounces = 5;
-    /// Greatest radiance that one path adds by light reflected more than once. A limit darkens
-    /// caustics, which path tracing finds only by chance, and removes their fireflies.
+    /// Greatest radiance that one path adds by light reflected more than once, mirrors between the
+    /// camera and the first other surface not counted. A limit darkens caustics, which path tracing
+    /// finds only by chance, and removes their fireflies.
     float indirectLimit = std::numeric_limits<float>::infinity();
 };
 

@@ -12,6 +12,7 @@ Material::Material(pellicle::BsdfBuilder bsdf, std::vector<VaryingParameter> var
     bsdf_ = bsdf.create();
     const PellicleBsdfInfo info = bsdf_.info();
     transmits_ = (info.flags & PELLICLE_TRANSMISSION) != 0;
+    onlyDirac_ = (info.flags & (PELLICLE_DIFFUSE | PELLICLE_GLOSSY)) == 0;
 
     std::size_t components = 0;
     for (const Pattern &pattern : patterns_) components += pattern.components;

@@ -28,6 +28,9 @@ public:
     /// Light passes: the side from which the surface is seen matters, and must not be flipped.
     bool transmits() const { return transmits_; }
 
+    /// Nothing but mirror images: no use sampling the light.
+    bool onlyDirac() const { return onlyDirac_; }
+
     /// The components of all varying parameters, as pellicle's calls take them.
     using Varying = std::array<float, 16>;
     Varying varyingAt(const SurfacePoint &point) const;
@@ -35,7 +38,7 @@ public:
 private:
     pellicle::Bsdf bsdf_;
     std::vector<Pattern> patterns_;
-    bool transmits_;
+    bool transmits_, onlyDirac_;
 };
 
 } // namespace render

@@ -117,14 +117,4 @@ void standOnFloor(Mesh &mesh) {
     for (V3f &p : mesh.positions) p = (p - foot) * scale;
 }
 
-Mesh square(float half) {
-    Mesh mesh;
-    mesh.positions = {{-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half}};
-    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    const V3f up(0, 1, 0);
-    mesh.normals = {{up, up, up}, {up, up, up}};
-    mesh.uvs = {{V2f(0, 0), V2f(1, 0), V2f(1, 1)}, {V2f(0, 0), V2f(1, 1), V2f(0, 1)}};
-    return mesh;
-}
-
 } // namespace render

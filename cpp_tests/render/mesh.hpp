@@ -27,7 +27,4 @@ Mesh readObj(const std::filesystem::path &file);
 /// Scales and moves a mesh so that it stands on y = 0 and fits between x, z = +-1 and y = 2.
 void standOnFloor(Mesh &mesh);
 
-/// The horizontal square with corners +-half at y = 0, facing up.
-Mesh square(float half);
-
 } // namespace render

@@ -23,7 +23,7 @@ Options parseCommandLine(int argc, char **argv) {
     std::vector<std::string> names;
     for (const Quality &q : qualities) names.push_back(q.name);
 
-    CLI::App app{"Renders pellicle's gallery: every scene on a sphere and on a mesh, and a contact sheet."};
+    CLI::App app{"Renders pellicle's gallery: two pictures of every scene, charts of films, and a contact sheet."};
     app.add_flag("--list", options.list, "List the scenes and end");
     app.add_option("--scene", options.scenes, "Render only this scene; may be repeated");
     app.add_option("--quality", quality,

@@ -24,14 +24,24 @@ void writeExr(const Picture &picture, const std::filesystem::path &file) {
     write(image, file, OIIO::TypeFloat);
 }
 
+void writeExr(const OIIO::ImageBuf &image, const std::filesystem::path &file) {
+    OIIO::ImageBuf compressed = image;
+    compressed.specmod().attribute("compression", "zip");
+    write(compressed, file, OIIO::TypeFloat);
+}
+
+OIIO::ImageBuf displayed(OIIO::ImageBuf linear, float exposure) {
+    OIIO::ImageBufAlgo::mul(linear, linear, std::exp2(exposure));
+    OIIO::ImageBufAlgo::clamp(linear, linear, 0.0f, 1.0f);
+    if (!OIIO::ImageBufAlgo::colorconvert(linear, linear, "linear", "sRGB"))
+        throw std::runtime_error("cannot convert to sRGB: " + linear.geterror());
+    return linear;
+}
+
 OIIO::ImageBuf display(const Picture &picture, float exposure) {
     OIIO::ImageBuf image(OIIO::ImageSpec(picture.width, picture.height, 3, OIIO::TypeFloat));
     image.set_pixels(image.roi(), OIIO::TypeFloat, picture.pixels.data(), sizeof(Pixel));
-    OIIO::ImageBufAlgo::mul(image, image, std::exp2(exposure));
-    OIIO::ImageBufAlgo::clamp(image, image, 0.0f, 1.0f);
-    if (!OIIO::ImageBufAlgo::colorconvert(image, image, "linear", "sRGB"))
-        throw std::runtime_error("cannot convert to sRGB: " + image.geterror());
-    return image;
+    return displayed(std::move(image), exposure);
 }
 
 void writePng(const OIIO::ImageBuf &image, const std::filesystem::path &file) {

@@ -25,7 +25,13 @@ struct Picture {
 /// std::runtime_error, as does everything here that touches a file.
 void writeExr(const Picture &picture, const std::filesystem::path &file);
 
-/// Radiance times 2^`exposure`, clipped at 1, sRGB: no tone curve, nothing automatic.
+/// A linear image, in single precision.
+void writeExr(const OIIO::ImageBuf &image, const std::filesystem::path &file);
+
+/// A linear image times 2^`exposure`, clipped at 1, sRGB: no tone curve, nothing automatic.
+OIIO::ImageBuf displayed(OIIO::ImageBuf linear, float exposure);
+
+/// The same of a picture's radiance.
 OIIO::ImageBuf display(const Picture &picture, float exposure);
 
 /// 8 bits, dithered.

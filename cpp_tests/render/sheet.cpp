@@ -3,13 +3,14 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 namespace render {
 namespace {
 
-constexpr int columns = 5, pictureSize = 320, gap = 12, fontSize = 15, lineHeight = 21;
+constexpr int pageWidth = 1672, gap = 12, fontSize = 15, lineHeight = 21;
 constexpr const char *font = "DejaVuSans";
 constexpr float paper[3] = {0.085f, 0.085f, 0.09f}, bright[3] = {0.92f, 0.92f, 0.92f},
                 dim[3] = {0.62f, 0.62f, 0.62f};
@@ -21,11 +22,10 @@ std::vector<std::string> linesOf(const std::string &text) {
     return lines;
 }
 
-void place(OIIO::ImageBuf &sheet, const OIIO::ImageBuf &picture, int x, int y) {
+void place(OIIO::ImageBuf &sheet, const OIIO::ImageBuf &picture, int x, int y, int width, int height) {
     OIIO::ImageBuf fitted = picture;
-    if (picture.spec().width != pictureSize || picture.spec().height != pictureSize)
-        fitted =
-            OIIO::ImageBufAlgo::resize(picture, "", 0, OIIO::ROI(0, pictureSize, 0, pictureSize, 0, 1, 0, 3));
+    if (picture.spec().width != width || picture.spec().height != height)
+        fitted = OIIO::ImageBufAlgo::resize(picture, "", 0, OIIO::ROI(0, width, 0, height, 0, 1, 0, 3));
     if (!OIIO::ImageBufAlgo::paste(sheet, x, y, 0, 0, fitted))
         throw std::runtime_error("cannot lay out the contact sheet: " + sheet.geterror());
 }
@@ -42,31 +42,58 @@ void write(OIIO::ImageBuf &sheet, const std::vector<std::string> &lines, int x, 
     }
 }
 
+/// A section's measures, in pixels.
+struct Layout {
+    int columns, rows, pictureWidth, pictureHeight, cellHeight;
+
+    explicit Layout(const Section &section) {
+        std::size_t stacked = 0, lines = 0;
+        for (const Cell &cell : section.cells) {
+            stacked = std::max(stacked, cell.pictures.size());
+            lines = std::max(lines, linesOf(cell.caption).size());
+        }
+        const int count = static_cast<int>(section.cells.size());
+        columns = std::min(section.columns, count);
+        rows = columns ? (count + columns - 1) / columns : 0;
+        pictureWidth = (pageWidth - gap) / section.columns - gap;
+        pictureHeight = static_cast<int>(std::lround(static_cast<float>(pictureWidth) * section.aspect));
+        cellHeight = static_cast<int>(stacked) * (pictureHeight + gap / 2) +
+                     static_cast<int>(lines) * lineHeight + 2 * gap;
+    }
+
+    int width() const { return columns * (pictureWidth + gap) + gap; }
+};
+
+/// Its upper edge is at `top`.
+void draw(OIIO::ImageBuf &sheet, const Section &section, const Layout &layout, int top) {
+    for (int i = 0; i < static_cast<int>(section.cells.size()); ++i) {
+        const Cell &cell = section.cells[i];
+        const int x = gap + i % layout.columns * (layout.pictureWidth + gap);
+        int y = top + i / layout.columns * layout.cellHeight;
+        for (const OIIO::ImageBuf &picture : cell.pictures) {
+            place(sheet, picture, x, y, layout.pictureWidth, layout.pictureHeight);
+            y += layout.pictureHeight + gap / 2;
+        }
+        write(sheet, linesOf(cell.caption), x, y - gap / 2);
+    }
+}
+
 } // namespace
 
-OIIO::ImageBuf contactSheet(const std::vector<Cell> &cells) {
-    std::size_t stacked = 0, lines = 0;
-    for (const Cell &cell : cells) {
-        stacked = std::max(stacked, cell.pictures.size());
-        lines = std::max(lines, linesOf(cell.caption).size());
+OIIO::ImageBuf contactSheet(const std::vector<Section> &sections) {
+    int width = 0, height = gap;
+    for (const Section &section : sections) {
+        const Layout layout(section);
+        width = std::max(width, layout.width());
+        height += layout.rows * layout.cellHeight;
     }
-    const int count = static_cast<int>(cells.size()), acrossCount = std::min(columns, count);
-    const int rows = (count + columns - 1) / columns;
-    const int cellWidth = pictureSize + gap;
-    const int captionHeight = static_cast<int>(lines) * lineHeight + gap;
-    const int cellHeight = static_cast<int>(stacked) * (pictureSize + gap / 2) + captionHeight + gap;
-
-    OIIO::ImageBuf sheet(
-        OIIO::ImageSpec(acrossCount * cellWidth + gap, rows * cellHeight + gap, 3, OIIO::TypeFloat));
+    OIIO::ImageBuf sheet(OIIO::ImageSpec(width, height, 3, OIIO::TypeFloat));
     OIIO::ImageBufAlgo::fill(sheet, paper);
-    for (int i = 0; i < count; ++i) {
-        const int x = gap + i % columns * cellWidth;
-        int y = gap + i / columns * cellHeight;
-        for (const OIIO::ImageBuf &picture : cells[i].pictures) {
-            place(sheet, picture, x, y);
-            y += pictureSize + gap / 2;
-        }
-        write(sheet, linesOf(cells[i].caption), x, y - gap / 2);
+    int top = gap;
+    for (const Section &section : sections) {
+        const Layout layout(section);
+        draw(sheet, section, layout, top);
+        top += layout.rows * layout.cellHeight;
     }
     return sheet;
 }

@@ -10,11 +10,19 @@ namespace render {
 
 struct Cell {
     std::string caption;                  ///< lines end in \n
-    std::vector<OIIO::ImageBuf> pictures; ///< below one another; square, for display
+    std::vector<OIIO::ImageBuf> pictures; ///< below one another, for display
 };
 
-/// Cells side by side, in as many rows as it takes, each with its caption underneath. Without the
-/// font (Debian: fonts-dejavu-core) captions are left out. Throws std::runtime_error.
-OIIO::ImageBuf contactSheet(const std::vector<Cell> &cells);
+/// Cells side by side, in as many rows as it takes, each with its caption underneath.
+struct Section {
+    int columns;
+    float aspect; ///< height over width of its pictures
+    std::vector<Cell> cells;
+};
+
+/// Sections below one another, as wide as the page; those without cells are left out. A page that
+/// needs fewer columns than its sections have is narrower. Without the font (Debian:
+/// fonts-dejavu-core) captions are left out. Throws std::runtime_error.
+OIIO::ImageBuf contactSheet(const std::vector<Section> &sections);
 
 } // namespace render

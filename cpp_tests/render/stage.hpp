@@ -1,4 +1,4 @@
-// Where every object of the gallery is shown: on a dark floor, in the studio's light.
+// Where objects of the gallery are shown: on a floor.
 #pragma once
 
 #include "camera.hpp"
@@ -6,9 +6,15 @@
 
 namespace render {
 
+/// The floor's albedo in the middle and far away.
+struct Floor {
+    float centre = 0.2f, rim = 0.03f;
+};
+
 /// A sphere of radius 1 on the floor, if `mesh` is null; otherwise the mesh, which must already
 /// stand on the floor (standOnFloor). The world is committed.
-std::unique_ptr<World> stage(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Material> material);
+std::unique_ptr<World> stage(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Material> material,
+                             Floor floor = {});
 
 Camera stageCamera();
 

@@ -1,5 +1,8 @@
 #include "studio.hpp"
 
+#include <functional>
+#include <vector>
+
 namespace render {
 namespace {
 
@@ -11,7 +14,7 @@ struct SoftBox {
     Rgb radiance;
 };
 
-const SoftBox boxes[] = {
+const std::vector<SoftBox> studioBoxes{
     {-132, 38, 4, 44, 14, Rgb(57, 55, 52)},     // key: from the left and in front
     {118, 28, 6, 46, -10, Rgb(9, 9.5f, 10.5f)}, // fill: from the right
     {38, 34, 7, 36, 0, Rgb(14, 14, 14.7f)},     // rim: from behind
@@ -19,10 +22,18 @@ const SoftBox boxes[] = {
     {172, 14, 60, 9, 0, Rgb(1.2f, 1.2f, 1.2f)}, // a low strip in front, for what faces the viewer
 };
 
+const std::vector<SoftBox> wideBoxes{
+    {-112, 4, 84, 104, 0, Rgb(1.1f, 1.1f, 1.1f)},   // left, in front
+    {116, 4, 76, 100, 0, Rgb(0.9f, 0.9f, 0.9f)},    // right, in front
+    {180, 72, 64, 44, 0, Rgb(1.2f, 1.2f, 1.2f)},    // above the camera
+    {-46, 30, 24, 66, 6, Rgb(0.9f, 0.9f, 0.9f)},    // behind, left
+    {48, 34, 24, 66, -6, Rgb(0.9f, 0.9f, 0.9f)},    // behind, right
+};
+
 /// Radiance falls to 0 over this fraction of a box's half width and height.
 constexpr float softEdge = 0.25f;
 
-Rgb sky(const V3f &direction) {
+Rgb dimSky(const V3f &direction) {
     const Rgb zenith(0.13f, 0.145f, 0.17f), horizon(0.07f, 0.07f, 0.07f);
     if (direction.y < 0) return Rgb(0); // where the floor is
     return horizon + (zenith - horizon) * direction.y;
@@ -45,22 +56,44 @@ Rgb lightOf(const SoftBox &box, const V3f &direction) {
                            (1 - smoothstep(1 - softEdge, 1, std::fabs(y))));
 }
 
-} // namespace
-
-LatLongMap studio() {
+LatLongMap draw(const std::function<Rgb(const V3f &direction)> &radiance) {
     LatLongMap map{512, 256, {}};
     map.texels.reserve(static_cast<std::size_t>(map.width) * map.height);
     for (int row = 0; row < map.height; ++row) {
         for (int column = 0; column < map.width; ++column) {
-            const V3f direction = latLongDirection(
+            map.texels.push_back(radiance(latLongDirection(
                 (static_cast<float>(column) + 0.5f) / static_cast<float>(map.width),
-                std::cos(pi * (static_cast<float>(row) + 0.5f) / static_cast<float>(map.height)));
-            Rgb light = sky(direction);
-            for (const SoftBox &box : boxes) light += lightOf(box, direction);
-            map.texels.push_back(light);
+                std::cos(pi * (static_cast<float>(row) + 0.5f) / static_cast<float>(map.height)))));
         }
     }
     return map;
+}
+
+Rgb lightOf(const std::vector<SoftBox> &boxes, const V3f &direction) {
+    Rgb light(0);
+    for (const SoftBox &box : boxes) light += lightOf(box, direction);
+    return light;
+}
+
+} // namespace
+
+LatLongMap studio() {
+    return draw([](const V3f &direction) { return dimSky(direction) + lightOf(studioBoxes, direction); });
+}
+
+LatLongMap darkRoom() {
+    return draw([](const V3f &direction) { return Rgb(0.002f) + lightOf(wideBoxes, direction); });
+}
+
+LatLongMap tent() {
+    return draw([](const V3f &direction) { return Rgb(0.16f) + lightOf(wideBoxes, direction); });
+}
+
+// P. Moon and D. Spencer, "Illumination from a Non-Uniform Sky", Illuminating Engineering 37, 1942.
+LatLongMap cloudedSky() {
+    return draw([](const V3f &direction) {
+        return direction.y < 0 ? Rgb(0) : Rgb((1 + 2 * direction.y) / 3);
+    });
 }
 
 } // namespace render

@@ -1,17 +1,33 @@
 //! What to create, and the checks that turn it into validated values.
 
 use super::Scalar;
+use super::film::check_film;
 use super::varying::{Range, upward};
 use crate::error::Error;
+use crate::film::Film;
 use crate::lobe::{Entry, ModelInfo, ParamInfo, ParamKind, Values};
+use std::fmt;
+use std::sync::Arc;
 
-/// A model's name, the parameters that differ from their defaults, and those that vary per call.
-/// Nothing is checked before [`super::Bsdf::new`].
-#[derive(Clone, Debug, Default)]
+/// A model's name, the parameters that differ from their defaults, those that vary per call, and the
+/// film for models that take one. Nothing is checked before [`super::Bsdf::new`].
+#[derive(Clone, Default)]
 pub struct Description {
     model: String,
     params: Vec<(String, Given)>,
     varying: Vec<(String, f32, f32)>,
+    film: Option<Arc<Film>>,
+}
+
+impl fmt::Debug for Description {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Description")
+            .field("model", &self.model)
+            .field("params", &self.params)
+            .field("varying", &self.varying)
+            .field("film", &self.film.as_deref().map(Film::description))
+            .finish()
+    }
 }
 
 /// A parameter's value as given.
@@ -59,6 +75,13 @@ impl Description {
         self
     }
 
+    /// The film, for models that take one; BSDFs share it.
+    #[must_use]
+    pub fn film(mut self, film: Arc<Film>) -> Self {
+        self.film = Some(film);
+        self
+    }
+
     /// Checks everything there is to check.
     pub(super) fn resolve(&self, entry: &Entry) -> Result<Resolved, Error> {
         let info = entry.info;
@@ -89,6 +112,21 @@ impl Description {
             check_range(info, &range)?;
             resolved.varying.push(range);
         }
+        check_film(
+            entry,
+            self.film.as_deref(),
+            &resolved.values,
+            &seen,
+            &resolved.varying,
+        )?;
+        resolved.values.set_film(self.film.clone());
+        if let Some(thickness) = info.film_thickness.filter(|&param| !seen[param]) {
+            // Its default means nothing: where it only varies, the least of its range stands for it.
+            let mut ranges = resolved.varying.iter();
+            if let Some(range) = ranges.find(|range| range.param == thickness) {
+                resolved.values.set_numbers(thickness, [range.min; 3]);
+            }
+        }
         (entry.check)(&resolved.upper(info))?;
         Ok(resolved)
     }
@@ -96,7 +134,7 @@ impl Description {
 
 /// Validated values and ranges.
 pub(super) struct Resolved {
-    values: Values<f32>,
+    pub values: Values<f32>,
     pub varying: Vec<Range>,
 }
 
@@ -116,6 +154,7 @@ impl Resolved {
             values.set_numbers(index, numbers);
             values.set_choice(index, self.values.choice(index));
         }
+        values.set_film(self.values.film().cloned());
         values
     }
 

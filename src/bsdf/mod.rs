@@ -1,19 +1,20 @@
 //! A BSDF: a model with validated parameters, compiled, immutable, ready to be called.
 
 mod description;
+mod film;
 mod varying;
 
 pub use description::Description;
 
 use crate::error::Error;
-use crate::lobe::{self, Flags, Kernel, ModelInfo, Override, PerLobe, Values};
-use crate::math::{Element, Rgb, Vec3};
+use crate::lobe::{self, Flags, Kernel, LobeInfo, ModelInfo, Override, PerLobe, Precision, Values};
+use crate::math::{Rgb, Vec3};
 pub(crate) use varying::MAX_VARYING;
 use varying::Varying;
 
 /// The precisions that a BSDF exists in: `f32` with `glam::Vec3` for renderers, `f64` with
 /// `glam::DVec3` as the oracle.
-pub trait Scalar: Element<Mask = bool> + PartialOrd + Default {
+pub trait Scalar: Precision {
     /// The public vector type.
     type Vector: Into<[Self; 3]> + From<[Self; 3]> + Copy;
     #[doc(hidden)]
@@ -34,14 +35,14 @@ impl Scalar for f64 {
     }
 }
 
-/// A sampled direction; `pdf` 0 and `weight` 0: no valid sample.
+/// A sampled direction; all 0: no valid sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<T: Scalar = f32> {
     /// To the light, unit.
     pub wi: T::Vector,
-    /// Density of wi over all lobes, per solid angle.
+    /// Density of wi over all lobes, per solid angle; 0 for a DELTA lobe.
     pub pdf: T,
-    /// value / pdf, RGB.
+    /// value / pdf, RGB; for a DELTA lobe what it passes on over the probability of choosing it.
     pub weight: Rgb<T>,
     /// Index on wi's side over the index on wo's side.
     pub eta: T,
@@ -71,10 +72,14 @@ impl<T: Scalar> Sample<T> {
 /// `varying` holds the components of the parameters that [`Description::vary`] declared, one after
 /// another, [`Bsdf::varying_floats`] in all; with `None` they keep the values set in the description.
 /// A finite number outside its declared range is clamped to it; NaN, infinity, a wrong length or a
-/// direction with z <= 0 gives 0. So do directions that are not unit to 1e-3 and, for models without
-/// TRANSMISSION, directions with z <= 0.
+/// direction with z <= 0 gives 0. So do directions that are not unit to 1e-3, and directions with
+/// z <= 0; with TRANSMISSION among [`Bsdf::flags`], z < 0 is the base's side and z = 0 gives 0.
 pub struct Bsdf<T: Scalar = f32> {
     info: &'static ModelInfo,
+    /// Those that this instance has.
+    lobes: &'static [LobeInfo],
+    /// Whether there is a base's side.
+    is_two_sided: bool,
     kernel: Box<dyn Kernel<T>>,
     varying: Varying<T>,
 }
@@ -89,8 +94,11 @@ impl<T: Scalar> Bsdf<T> {
         let entry = lobe::find(description.model())?;
         let resolved = description.resolve(entry)?;
         let values = resolved.values_in::<T>(entry.info);
+        let lobes = &entry.info.lobes[..(entry.lobe_count)(&resolved.values)];
         Ok(Self {
             info: entry.info,
+            lobes,
+            is_two_sided: Flags::of(lobes).contains(Flags::TRANSMISSION),
             kernel: T::prepare(entry, &values),
             varying: Varying::new(entry.info, &values, &resolved.varying),
         })
@@ -99,6 +107,16 @@ impl<T: Scalar> Bsdf<T> {
     /// What the model says about itself.
     pub fn info(&self) -> &'static ModelInfo {
         self.info
+    }
+
+    /// The flags of the lobes that this BSDF has, together: those of the model, or fewer.
+    pub fn flags(&self) -> Flags {
+        Flags::of(self.lobes)
+    }
+
+    /// How many lobes this BSDF has: those of the model, or the first of them.
+    pub fn lobe_count(&self) -> usize {
+        self.lobes.len()
     }
 
     /// How many parameters vary per call.
@@ -166,14 +184,16 @@ impl<T: Scalar> Bsdf<T> {
             wi: sampled.wi.to_array().into(),
             pdf: sampled.pdf,
             weight: sampled.weight,
-            eta: T::new(1.0),
-            flags: self.info.lobes[sampled.lobe].flags,
+            eta: sampled.eta,
+            flags: self.lobes[sampled.lobe].flags,
             lobe: sampled.lobe,
         })
     }
 
     /// Directional albedo, the integral of the value over wi: how bright the surface looks from wo in
-    /// a white furnace. By quadrature (some milliseconds) unless the model has a closed form.
+    /// a white furnace. By quadrature (some milliseconds) unless the model has a closed form. What is
+    /// transmitted counts as radiance, (eta_o / eta_i)^2 times its power: seen from within a dense
+    /// base the albedo exceeds 1.
     pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
         self.direction(wo)
             .and_then(|wo| {
@@ -197,12 +217,13 @@ impl<T: Scalar> Bsdf<T> {
             .with(varying, |overrides| f(&*self.kernel, overrides, wo, wi))
     }
 
-    /// The direction, if it is unit to 1e-3 and on the side where the model reflects.
+    /// The direction, if it is unit to 1e-3 and on a side that there is.
     #[inline(always)]
     fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
         let w = Vec3::from_array(w.into());
         // Twice 1e-3, since the length is squared; NaN and infinity fail the comparison.
         let is_unit = (w.length_squared() - T::new(1.0)).abs() <= T::new(2e-3);
-        (is_unit && w.z > T::new(0.0)).then_some(w)
+        let height = if self.is_two_sided { w.z.abs() } else { w.z };
+        (is_unit && height > T::new(0.0)).then_some(w)
     }
 }

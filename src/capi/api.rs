@@ -1,13 +1,14 @@
 //! All functions in one table, for programs that load the library at run time.
 
 use super::args::{
-    PellicleEvalBatchArgs, PellicleModelInfo, PellicleModelParam, PellicleSampleBatchArgs,
+    PellicleEvalBatchArgs, PellicleFilmBatchArgs, PellicleModelInfo, PellicleModelParam,
+    PellicleSampleBatchArgs,
 };
 use super::types::{
-    PELLICLE_ABI_VERSION, PellicleBsdf, PellicleBsdfDesc, PellicleBsdfInfo, PellicleSample,
-    PellicleStatus,
+    PELLICLE_ABI_VERSION, PellicleBsdf, PellicleBsdfDesc, PellicleBsdfInfo, PellicleFilm,
+    PellicleFilmDesc, PellicleFilmPlan, PellicleSample, PellicleStatus,
 };
-use super::{batch, bsdf, model, version};
+use super::{batch, bsdf, film, model, version};
 use libc::{c_char, size_t};
 
 /// Every function of this header, by its name without the prefix. Grows by appending: before using
@@ -92,6 +93,60 @@ pub struct PellicleApi {
         args: *const PellicleSampleBatchArgs,
         args_size: size_t,
     ) -> PellicleStatus,
+    /// pellicle_film_create()
+    pub film_create: unsafe extern "C" fn(
+        desc: *const PellicleFilmDesc,
+        desc_size: size_t,
+        film: *mut *mut PellicleFilm,
+    ) -> PellicleStatus,
+    /// pellicle_film_retain()
+    pub film_retain: unsafe extern "C" fn(film: *mut PellicleFilm) -> PellicleStatus,
+    /// pellicle_film_release()
+    pub film_release: unsafe extern "C" fn(film: *mut PellicleFilm),
+    /// pellicle_film_plan()
+    pub film_plan: unsafe extern "C" fn(
+        film: *const PellicleFilm,
+        plan: *mut PellicleFilmPlan,
+        plan_size: size_t,
+    ) -> PellicleStatus,
+    /// pellicle_film_reflectance()
+    pub film_reflectance: unsafe extern "C" fn(
+        film: *const PellicleFilm,
+        cos_theta: f32,
+        thickness_nm: f32,
+        rgb: *mut f32,
+    ) -> PellicleStatus,
+    /// pellicle_film_eval()
+    pub film_eval: unsafe extern "C" fn(
+        film: *const PellicleFilm,
+        cos_theta: f32,
+        thickness_nm: f32,
+        side: u32,
+        reflectance: *mut f32,
+        transmittance: *mut f32,
+    ) -> PellicleStatus,
+    /// pellicle_film_reflectance_batch()
+    pub film_reflectance_batch: unsafe extern "C" fn(
+        film: *const PellicleFilm,
+        args: *const PellicleFilmBatchArgs,
+        args_size: size_t,
+    ) -> PellicleStatus,
+    /// pellicle_film_reference()
+    pub film_reference: unsafe extern "C" fn(
+        film: *const PellicleFilm,
+        cos_theta: f32,
+        thickness_nm: f32,
+        rgb: *mut f32,
+    ) -> PellicleStatus,
+    /// pellicle_film_spectrum()
+    pub film_spectrum: unsafe extern "C" fn(
+        film: *const PellicleFilm,
+        cos_theta: f32,
+        thickness_nm: f32,
+        lambda_nm: *const f32,
+        count: size_t,
+        reflectance: *mut f32,
+    ) -> PellicleStatus,
 }
 
 static API: PellicleApi = PellicleApi {
@@ -112,6 +167,15 @@ static API: PellicleApi = PellicleApi {
     bsdf_albedo: bsdf::pellicle_bsdf_albedo,
     bsdf_eval_batch: batch::pellicle_bsdf_eval_batch,
     bsdf_sample_batch: batch::pellicle_bsdf_sample_batch,
+    film_create: film::pellicle_film_create,
+    film_retain: film::pellicle_film_retain,
+    film_release: film::pellicle_film_release,
+    film_plan: film::pellicle_film_plan,
+    film_reflectance: film::pellicle_film_reflectance,
+    film_eval: film::pellicle_film_eval,
+    film_reflectance_batch: batch::pellicle_film_reflectance_batch,
+    film_reference: film::pellicle_film_reference,
+    film_spectrum: film::pellicle_film_spectrum,
 };
 
 /// The table of functions, for dlsym(): the one symbol to look up. Pass PELLICLE_ABI_VERSION; NULL

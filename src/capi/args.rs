@@ -54,6 +54,21 @@ pub struct PellicleSampleBatchArgs {
     pub lobe: PellicleUintView,
 }
 
+/// Arguments of pellicle_film_reflectance_batch(). Zero-initialise. Grows by appending; pass
+/// sizeof(PellicleFilmBatchArgs).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleFilmBatchArgs {
+    /// How many elements; 0 is allowed and does nothing.
+    pub count: size_t,
+    /// Cosines of incidence in the ambient medium, 1 component.
+    pub cos_theta: PellicleConstView,
+    /// Thicknesses of the layer that varies, nm, 1 component; data NULL only if none does.
+    pub thickness_nm: PellicleConstView,
+    /// Receives the reflectance, 3 components.
+    pub reflectance: PellicleView,
+}
+
 /// A model that this build offers. Its strings live as long as the library. Grows by appending;
 /// pass sizeof(PellicleModelInfo).
 #[repr(C)]
@@ -75,6 +90,8 @@ pub struct PellicleModelInfo {
     pub not_reciprocal: *const c_char,
     /// When and why the albedo exceeds 1; NULL: never.
     pub not_conserving: *const c_char,
+    /// 1: with every parameter at its default it needs PellicleBsdfDesc::film; 0: it takes none then.
+    pub needs_film: u32,
 }
 
 /// A parameter of a model. Its strings live as long as the library. Grows by appending; pass

@@ -1,12 +1,12 @@
 //! Batch calls.
 
-use super::args::{PellicleEvalBatchArgs, PellicleSampleBatchArgs};
+use super::args::{PellicleEvalBatchArgs, PellicleFilmBatchArgs, PellicleSampleBatchArgs};
 use super::boundary::{guard, read_growing, slice};
-use super::bsdf::handle;
 use super::types::{
-    PellicleBsdf, PellicleConstView, PellicleStatus, PellicleUintView, PellicleView,
+    PellicleBsdf, PellicleConstView, PellicleFilm, PellicleStatus, PellicleUintView, PellicleView,
 };
-use crate::batch::{self, ConstView, EvalArgs, SampleArgs, View};
+use super::{bsdf, film};
+use crate::batch::{self, ConstView, EvalArgs, FilmArgs, SampleArgs, View};
 use crate::bsdf::MAX_VARYING;
 use crate::error::Error;
 use libc::size_t;
@@ -27,7 +27,7 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
     guard(|| {
         // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
         unsafe {
-            let bsdf = handle(bsdf)?;
+            let bsdf = bsdf::handle(bsdf)?;
             let args = read_growing(args, args_size, "args")?;
             let mut views = [NOTHING; MAX_VARYING];
             let args = EvalArgs {
@@ -57,7 +57,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
     guard(|| {
         // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
         unsafe {
-            let bsdf = handle(bsdf)?;
+            let bsdf = bsdf::handle(bsdf)?;
             let args = read_growing(args, args_size, "args")?;
             let mut views = [NOTHING; MAX_VARYING];
             let args = SampleArgs {
@@ -73,6 +73,34 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
                 lobe: args.lobe.into(),
             };
             batch::sample(bsdf, &args)
+        }
+    })
+}
+
+/// pellicle_film_reflectance() for every element of strided arrays, equal to it bit for bit. Overlap
+/// as in pellicle_bsdf_eval_batch().
+///
+/// # Safety
+/// `film` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, and every
+/// address that its views stand for readable or writable.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_film_reflectance_batch(
+    film: *const PellicleFilm,
+    args: *const PellicleFilmBatchArgs,
+    args_size: size_t,
+) -> PellicleStatus {
+    guard(|| {
+        // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
+        unsafe {
+            let film = film::handle(film)?;
+            let args = read_growing(args, args_size, "args")?;
+            let args = FilmArgs {
+                count: args.count,
+                cos_theta: args.cos_theta.into(),
+                thickness_nm: args.thickness_nm.into(),
+                reflectance: args.reflectance.into(),
+            };
+            batch::film_reflectance(film, &args)
         }
     })
 }

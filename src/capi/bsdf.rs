@@ -4,6 +4,7 @@ use super::boundary::{
     check_output, guard, numbers, quiet_panics, read_growing, reference, require, slice, string,
     write_growing,
 };
+use super::film;
 use super::types::{
     PellicleBsdf, PellicleBsdfDesc, PellicleBsdfInfo, PellicleParam, PellicleSample, PellicleStatus,
 };
@@ -16,11 +17,12 @@ use std::sync::Arc;
 /// `*bsdf`.
 ///
 /// Fails with UNKNOWN_NAME (model, parameter, choice), OUT_OF_RANGE (numbers, ranges, sums),
-/// INVALID_ARGUMENT (NULL, wrong count, something given twice) or UNSUPPORTED (a parameter that
-/// cannot vary, fields of a later version); `*bsdf` is then untouched.
+/// INVALID_ARGUMENT (NULL, wrong count, something given twice, a film too many or too few) or
+/// UNSUPPORTED (a parameter that cannot vary, fields of a later version); `*bsdf` is then untouched.
 ///
 /// # Safety
-/// `desc` must be good for `desc_size` bytes, its pointers for their counts, `bsdf` for one pointer.
+/// `desc` must be good for `desc_size` bytes, its pointers for their counts, its film NULL or a live
+/// handle, `bsdf` good for one pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pellicle_bsdf_create(
     desc: *const PellicleBsdfDesc,
@@ -87,10 +89,10 @@ pub unsafe extern "C" fn pellicle_bsdf_info(
             let model = bsdf.info();
             let filled = PellicleBsdfInfo {
                 model: model.name.as_ptr(),
-                flags: model.flags().0,
+                flags: bsdf.flags().0,
                 varying_count: bsdf.varying_count() as u32,
                 varying_floats: bsdf.varying_floats() as u32,
-                lobe_count: model.lobes.len() as u32,
+                lobe_count: bsdf.lobe_count() as u32,
             };
             write_growing(info, info_size, &filled);
         }
@@ -176,9 +178,10 @@ pub unsafe extern "C" fn pellicle_bsdf_sample(
     })
 }
 
-/// Directional albedo: the integral of the value over wi, RGB, into `albedo` (3 numbers). `varying`
-/// as in pellicle_bsdf_eval(). By quadrature, which takes some milliseconds, unless the model has
-/// a closed form; call it when preparing, not when shading.
+/// Directional albedo: the integral of the value over wi, Dirac lobes included, RGB, into `albedo` (3
+/// numbers). `varying` as in pellicle_bsdf_eval(). By quadrature, which takes some milliseconds, unless the model has
+/// a closed form; call it when preparing, not when shading. Transmitted light counts as radiance: seen
+/// from within a dense base the albedo exceeds 1.
 ///
 /// # Safety
 /// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated.
@@ -227,6 +230,9 @@ unsafe fn description(desc: &PellicleBsdfDesc) -> Result<Description, Error> {
         for range in slice(desc.varying, desc.varying_count, "desc->varying")? {
             let name = string(range.name, "desc->varying[].name")?;
             description = description.vary(&name, range.min, range.max);
+        }
+        if let Some(film) = film::share(desc.film) {
+            description = description.film(film);
         }
         Ok(description)
     }

@@ -6,7 +6,7 @@ use super::types::{
     PELLICLE_KIND_CHOICE, PELLICLE_KIND_DIRECTION, PELLICLE_KIND_NUMBER, PellicleStatus,
 };
 use crate::error::Error;
-use crate::lobe::{Exception, ModelInfo, ParamInfo, ParamKind, models};
+use crate::lobe::{Entry, Exception, ParamInfo, ParamKind, Values, models};
 use libc::size_t;
 use std::ptr::null;
 
@@ -28,7 +28,8 @@ pub unsafe extern "C" fn pellicle_model_info(
 ) -> PellicleStatus {
     guard(|| {
         check_output(info, info_size, "info")?;
-        let described = numbered_model(model)?;
+        let entry = numbered_model(model)?;
+        let described = entry.info;
         let reason = |exception: &Option<Exception>| {
             exception
                 .as_ref()
@@ -43,6 +44,7 @@ pub unsafe extern "C" fn pellicle_model_info(
             lobe_count: described.lobes.len() as u32,
             not_reciprocal: reason(&described.not_reciprocal),
             not_conserving: reason(&described.not_conserving),
+            needs_film: u32::from((entry.needs_film)(&Values::defaults(described))),
         };
         // SAFETY: not NULL, and the caller vouches for `info_size` bytes.
         unsafe { write_growing(info, info_size, &filled) };
@@ -64,7 +66,7 @@ pub unsafe extern "C" fn pellicle_model_param(
 ) -> PellicleStatus {
     guard(|| {
         check_output(info, info_size, "info")?;
-        let params = numbered_model(model)?.params;
+        let params = numbered_model(model)?.info.params;
         let described = params.get(param).ok_or_else(|| {
             Error::out_of_range(format!(
                 "param = {param} is outside [0, {}]",
@@ -78,14 +80,13 @@ pub unsafe extern "C" fn pellicle_model_param(
     })
 }
 
-fn numbered_model(model: usize) -> Result<&'static ModelInfo, Error> {
-    let entry = models().get(model).ok_or_else(|| {
+fn numbered_model(model: usize) -> Result<&'static Entry, Error> {
+    models().get(model).ok_or_else(|| {
         Error::out_of_range(format!(
             "model = {model} is outside [0, {}]",
             models().len() - 1
         ))
-    })?;
-    Ok(entry.info)
+    })
 }
 
 fn fill(param: &ParamInfo) -> PellicleModelParam {

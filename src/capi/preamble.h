@@ -9,15 +9,21 @@
  * is the shading normal, +X the tangent. wo goes to the viewer, wi to the light.
  *
  * Quantities. value = f(wo, wi) |wi.z|, RGB. pdf is per solid angle of wi. weight = value / pdf.
- * Lengths are nanometres. RGB is linear Rec.709. Three index values belong to 645, 525 and 445 nm.
+ * Lengths are nanometres. RGB is linear Rec.709, unless a film's description names another space; a
+ * perfect mirror is (1, 1, 1) in all of them. A complex index is eta + i k, k >= 0, vacuum 1. Three
+ * index values belong to 645, 525 and 445 nm: linear in 1 / lambda^2 between, constant outside.
  *
  * Sides. Without the flag TRANSMISSION, wi.z <= 0 or wo.z <= 0 gives 0: one-sided, the caller flips.
- * Dirac lobes give value = pdf = 0; only sample() returns them, with weight and pdf = 0.
+ * With it, z < 0 is the base's side and z = 0 gives 0; what is transmitted is radiance, which carries
+ * (eta_o / eta_i)^2. Dirac lobes give value = pdf = 0; only sample() returns them, with weight and
+ * pdf = 0.
  *
- * Data never fails. Finite inputs give finite, non-negative outputs. Directions within 1e-3 of unit
- * length are accepted as they are; any other direction, NaN and infinity give 0 for that element and
- * leave its neighbours alone. A varying parameter's finite value outside its declared range is
- * clamped to it (the only clamp there is); NaN or infinity there gives 0 for that element.
+ * Data never fails. Finite inputs give finite, non-negative outputs (unclipped colours of films may
+ * be negative). Directions within 1e-3 of unit length are accepted as they are; any other direction,
+ * NaN and infinity give 0 for that element and leave its neighbours alone. A varying parameter's
+ * finite value outside its declared range is clamped to it; NaN or infinity there gives 0 for that
+ * element. In the calls of a film, cosines are clamped to [0, 1] and thicknesses to the declared
+ * range, infinities too, and NaN gives 0. Nothing else is clamped.
  *
  * Pointers and counts can fail. Every function checks every pointer for NULL. On failure a status
  * other than PELLICLE_OK is returned, outputs are untouched, and pellicle_last_error() says which
@@ -26,8 +32,9 @@
  * Threads. Every function may be called from any thread. Handles are immutable and
  * reference-counted: share them freely. Nothing starts threads, locks, logs, calls back or changes
  * the floating-point state; results are right under flush-to-zero and denormals-are-zero.
- * Floating-point exception flags may be raised: do not unmask traps. Only create() allocates,
- * and a failing call for its message.
+ * Floating-point exception flags may be raised: do not unmask traps. Only these allocate: create();
+ * pellicle_film_reference() and pellicle_film_spectrum(); what evaluates a film whose plan's method
+ * is "reference"; and a failing call, for its message.
  *
  * Growth. Structs that are passed together with their own size grow by appending, and zero means
  * default: zero-initialise them and pass sizeof. A shorter struct of an older caller is accepted; a

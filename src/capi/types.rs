@@ -10,7 +10,7 @@ pub type PellicleStatus = i32;
 pub const PELLICLE_OK: i32 = 0;
 /// A NULL pointer, a wrong count, overlapping or contradictory arguments.
 pub const PELLICLE_INVALID_ARGUMENT: i32 = 1;
-/// A model, parameter or choice of that name does not exist; the message lists those that do.
+/// A model, parameter, choice or medium of that name does not exist; the message lists those that do.
 pub const PELLICLE_UNKNOWN_NAME: i32 = 2;
 /// A number is outside its range, or NaN or infinite; the message gives the value and the range.
 pub const PELLICLE_OUT_OF_RANGE: i32 = 3;
@@ -42,6 +42,16 @@ pub const PELLICLE_KIND_NUMBER: u32 = 0;
 pub const PELLICLE_KIND_DIRECTION: u32 = 1;
 /// Kind of a parameter: one name out of a list, given in PellicleParam::choice.
 pub const PELLICLE_KIND_CHOICE: u32 = 2;
+
+/// Side of a film that the light comes from: the ambient medium.
+pub const PELLICLE_SIDE_AMBIENT: u32 = 0;
+/// Side of a film that the light comes from: the base.
+pub const PELLICLE_SIDE_BASE: u32 = 1;
+
+/// A compiled film: opaque, immutable, reference-counted, usable from every thread at once.
+pub struct PellicleFilm {
+    _private: [u8; 0],
+}
 
 /// A compiled BSDF: opaque, immutable, reference-counted, usable from every thread at once.
 pub struct PellicleBsdf {
@@ -75,8 +85,96 @@ pub struct PellicleRange {
     /// accepted at call time and normalised.
     pub min: f32,
     /// Greatest value of each component. Finite values outside [min, max] at call time are clamped
-    /// to it: the only clamp there is. NaN or infinity there gives 0 for that element.
+    /// to it. NaN or infinity there gives 0 for that element.
     pub max: f32,
+}
+
+/// A medium, given in one of three ways: by `name`, by `eta` and `k`, or by a table of measurements.
+/// All zero: vacuum as a film's ambient, refused elsewhere. Frozen for this ABI version.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleMedium {
+    /// "Au", "SiO2", "water", ...; upper and lower case are alike. The message for an unknown name
+    /// lists the known ones.
+    pub name: *const c_char,
+    /// Refractive index at 645, 525 and 445 nm, each within [0.001, 1000]: linear in 1 / lambda^2
+    /// between them, constant outside. Three equal values are a constant.
+    pub eta: [f32; 3],
+    /// Extinction, the index's imaginary part, at the same wavelengths, each within [0, 1000].
+    /// 0: transparent.
+    pub k: [f32; 3],
+    /// `table_count` vacuum wavelengths in nm, ascending, within [1, 1e6]: the index is linear between
+    /// them and constant outside. Copied.
+    pub table_nm: *const f32,
+    /// `table_count` refractive indices, in the range of `eta`. Copied.
+    pub table_eta: *const f32,
+    /// `table_count` extinctions, in the range of `k`. Copied.
+    pub table_k: *const f32,
+    /// How many numbers each part of the table has.
+    pub table_count: size_t,
+}
+
+/// A layer of a film. Frozen for this ABI version.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleLayer {
+    /// What it consists of.
+    pub medium: PellicleMedium,
+    /// Least thickness, nm, within [0, 1e8].
+    pub thickness_min_nm: f32,
+    /// Greatest thickness, nm, within [0, 1e8]. Equal to the least: fixed. At most one layer of a film
+    /// may vary; its thickness comes with every call.
+    pub thickness_max_nm: f32,
+}
+
+/// What film to create: layers between an ambient medium and a base. Zero-initialise it, then set
+/// what you need: zero means default. Grows by appending; pass sizeof(PellicleFilmDesc).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleFilmDesc {
+    /// Where the light comes from; all zero: vacuum. It must have k = 0 and eta >= 1.
+    pub ambient: PellicleMedium,
+    /// The layers, the ambient's neighbour first; NULL if `layer_count` is 0. Copied.
+    pub layers: *const PellicleLayer,
+    /// How many layers there are, at most 64; 0: the bare base.
+    pub layer_count: size_t,
+    /// What the layers lie on; needed.
+    pub base: PellicleMedium,
+    /// The greatest error allowed of a channel of the clipped colours, within [1e-5, 1];
+    /// 0: the default, 2e-3.
+    pub tolerance: f32,
+    /// The white in which a perfect mirror is (1, 1, 1): "E" or "D65"; NULL: "E".
+    pub white: *const c_char,
+    /// "rec709", "rec2020", "acescg" or "xyz", linear; NULL: "rec709".
+    pub color_space: *const c_char,
+    /// The name of the method of evaluation; NULL: the cheapest that holds the tolerance. The message
+    /// for an unknown name lists the known ones.
+    pub method: *const c_char,
+    /// 1: leave colours outside [0, 1] as they are (saturated films have such, negative ones too);
+    /// 0: clip them.
+    pub unclipped: u32,
+    /// 1: also keep the transmittance, and the reflectance from the base's side, for
+    /// pellicle_film_eval(); 0: do not.
+    pub transmittance: u32,
+}
+
+/// How a film is evaluated, and how well. Grows by appending; pass sizeof(PellicleFilmPlan).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleFilmPlan {
+    /// The method's name; lives as long as the film.
+    pub method: *const c_char,
+    /// The error that was allowed.
+    pub tolerance: f32,
+    /// The greatest error of a channel that was measured at creation, of the clipped colours against
+    /// full wave optics.
+    pub measured_max: f32,
+    /// The root of the mean square of the errors measured.
+    pub measured_rms: f32,
+    /// Bytes of the film's tables.
+    pub bytes: size_t,
+    /// Why this method, in a sentence; lives as long as the film.
+    pub reason: *const c_char,
 }
 
 /// What to create. Zero-initialise it, then set what you need: zero means default.
@@ -95,6 +193,10 @@ pub struct PellicleBsdfDesc {
     pub varying: *const PellicleRange,
     /// How many entries `varying` has.
     pub varying_count: size_t,
+    /// The film, for models that take one; retained, so release yours when you like. Given where
+    /// unused or missing where needed: INVALID_ARGUMENT. If a layer of it varies, the parameter
+    /// thickness_nm is needed, fixed or varying within the layer's range; if none does, it is refused.
+    pub film: *const PellicleFilm,
 }
 
 /// What a BSDF is. Grows by appending; pass sizeof(PellicleBsdfInfo).

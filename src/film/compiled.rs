@@ -2,8 +2,9 @@
 
 use super::FilmDescription;
 use super::plan::{Plan, plan};
-use crate::error::Error;
-use crate::math::Rgb;
+use super::table::{Curve, Table};
+use crate::error::{Error, Status};
+use crate::math::{Real, Rgb};
 use crate::optics::stack::Side;
 use crate::optics::{Medium, Reference};
 
@@ -15,8 +16,11 @@ use crate::optics::{Medium, Reference};
 /// to \[0, 1\] unless the description says `unclipped`.
 pub struct Film {
     description: FilmDescription,
-    evaluator: Box<dyn Evaluator>,
+    compiled: Compiled,
     plan: Plan,
+    /// What thicknesses and colours are held in.
+    thickness_nm: [f32; 2],
+    color: [f32; 2],
     reference: Reference,
 }
 
@@ -27,6 +31,13 @@ pub struct Colors {
     pub reflectance: Rgb<f32>,
     /// What arrives on the other side, as power.
     pub transmittance: Rgb<f32>,
+}
+
+/// What a plan compiles to. Most films are a table, which deserves to be called directly.
+pub(super) enum Compiled {
+    Table(Table),
+    Curve(Curve),
+    Other(Box<dyn Evaluator>),
 }
 
 /// A compiled method. Arguments are within their ranges and not NaN; results are not clipped.
@@ -53,11 +64,20 @@ impl Film {
             description.white,
             description.color_space,
         )?;
-        let (evaluator, plan) = plan(description, &reference)?;
+        let (compiled, plan) = plan(description, &reference)?;
+        let varying = description.varying();
+        let range = varying.map_or([0.0; 2], |layer| description.layers[layer].thickness_nm);
+        let color = if description.unclipped {
+            [f32::NEG_INFINITY, f32::INFINITY]
+        } else {
+            [0.0, 1.0]
+        };
         Ok(Self {
             description: description.clone(),
-            evaluator,
+            compiled,
             plan,
+            thickness_nm: range.map(|x| x as f32),
+            color,
             reference,
         })
     }
@@ -81,12 +101,15 @@ impl Film {
     /// Reflectance from the ambient's side.
     #[inline]
     pub fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
-        match self.held(cos_theta, thickness_nm) {
-            Some((cos_theta, thickness_nm)) => {
-                self.finished(self.evaluator.reflectance(cos_theta, thickness_nm))
-            }
-            None => [0.0; 3],
-        }
+        let Some((cos_theta, thickness_nm)) = self.held(cos_theta, thickness_nm) else {
+            return [0.0; 3];
+        };
+        let found = match &self.compiled {
+            Compiled::Table(table) => table.at(cos_theta, thickness_nm),
+            Compiled::Curve(curve) => curve.at(cos_theta),
+            Compiled::Other(other) => other.reflectance(cos_theta, thickness_nm),
+        };
+        self.finished(found)
     }
 
     /// Reflectance and transmittance from either side; all 0 from a base that absorbs.
@@ -105,7 +128,14 @@ impl Film {
         if side == Side::Base && self.description.base.absorbs() {
             return Ok(Colors::default());
         }
-        let colors = self.evaluator.colors(side, cos_theta, thickness_nm);
+        // What transmits is compiled for both sides, and called through the trait.
+        let Compiled::Other(evaluator) = &self.compiled else {
+            return Err(Error::new(
+                Status::Internal,
+                "a film with transmittance was compiled for one side",
+            ));
+        };
+        let colors = evaluator.colors(side, cos_theta, thickness_nm);
         Ok(Colors {
             reflectance: self.finished(colors.reflectance),
             transmittance: self.finished(colors.transmittance),
@@ -118,7 +148,7 @@ impl Film {
             return [0.0; 3];
         }
         let cos_theta = cos_theta.clamp(0.0, 1.0);
-        let thicknesses = self.thicknesses(thickness_nm);
+        let thicknesses = self.description.thicknesses(thickness_nm);
         let found = self
             .reference
             .evaluate(Side::Ambient, cos_theta, &thicknesses);
@@ -132,36 +162,25 @@ impl Film {
             return 0.0;
         }
         let cos_theta = cos_theta.clamp(0.0, 1.0);
-        let thicknesses = self.thicknesses(thickness_nm);
+        let thicknesses = self.description.thicknesses(thickness_nm);
         self.reference
             .spectrum(Side::Ambient, cos_theta, &thicknesses, wavelength_nm)
             .unpolarized_reflectance()
     }
 
-    /// One thickness per layer.
-    fn thicknesses(&self, varying_nm: f64) -> Vec<f64> {
-        let thickness = |layer: &super::FilmLayer| {
-            let [min, max] = layer.thickness_nm;
-            varying_nm.clamp(min, max)
-        };
-        self.description.layers.iter().map(thickness).collect()
-    }
-
     /// The arguments within their ranges; none if one is NaN.
     #[inline(always)]
     fn held(&self, cos_theta: f32, thickness_nm: f32) -> Option<(f32, f32)> {
-        let [min, max] = self.plan.thickness_nm;
+        let [min, max] = self.thickness_nm;
         let is_number = !(cos_theta.is_nan() || thickness_nm.is_nan());
-        is_number.then(|| (cos_theta.clamp(0.0, 1.0), thickness_nm.clamp(min, max)))
+        let cos_theta = Real::min(Real::max(cos_theta, 0.0), 1.0);
+        is_number.then(|| (cos_theta, Real::min(Real::max(thickness_nm, min), max)))
     }
 
     #[inline(always)]
     fn finished(&self, rgb: Rgb<f32>) -> Rgb<f32> {
-        if self.description.unclipped {
-            rgb
-        } else {
-            rgb.map(|channel| channel.clamp(0.0, 1.0))
-        }
+        let [min, max] = self.color;
+        rgb.map(|channel| Real::min(Real::max(channel, min), max))
     }
 
     /// The ambient medium and the base, for those who refract.

@@ -76,6 +76,15 @@ impl FilmDescription {
         self.layers.iter().position(varies)
     }
 
+    /// One thickness per layer, the varying one held in its range.
+    pub(super) fn thicknesses(&self, varying_nm: f64) -> Vec<f64> {
+        let thickness = |layer: &FilmLayer| {
+            let [min, max] = layer.thickness_nm;
+            varying_nm.clamp(min, max)
+        };
+        self.layers.iter().map(thickness).collect()
+    }
+
     pub(super) fn check(&self) -> Result<(), Error> {
         self.ambient.check_ambient()?;
         if self.layers.len() > MAX_LAYERS {

@@ -11,13 +11,22 @@
 
 mod airy_rgb;
 mod arctangent;
+mod axes;
 mod bands;
+mod candidate;
 mod compiled;
+mod converge;
 mod description;
+mod direct;
+mod fit;
 mod harmonics;
 mod layer;
 mod plan;
 mod quadrature;
+mod series;
+mod sheets;
+mod spline;
+mod table;
 mod two_beam;
 
 pub use airy_rgb::AiryRgb;

@@ -52,7 +52,9 @@ impl<T: Element> Quadrature<T> {
     /// For a film, with 1 to 64 wavelengths.
     pub fn new(layer: &OneLayer, count: usize) -> Result<Self, Error> {
         check_size("wavelengths", count, MAX_NODES)?;
-        let rule = equidistant(&ChannelWeights::new(layer.white, layer.space), count);
+        let left_out = LEFT_OUT / (count * count) as f64;
+        let weights = ChannelWeights::new(layer.white, layer.space);
+        let rule = equidistant(&weights, count, left_out);
         let nodes = rule.chunks(3).map(|chunk| {
             // The last three are filled up with a wavelength of weight 0.
             let node = |i: usize| chunk.get(i).copied().unwrap_or((chunk[0].0, [0.0; 3]));
@@ -92,8 +94,13 @@ pub(super) fn totals<T: Element>(sums: [T::Rgb; 3]) -> Rgb<T> {
     })
 }
 
-/// Nodes in wavenumber (per nm), ascending, and their weights per channel.
-fn equidistant(weights: &ChannelWeights, count: usize) -> Vec<(f64, Rgb<f64>)> {
+/// Nodes in wavenumber (per nm), ascending, and their weights per channel, which sum to 1. This part
+/// of the channels' power lies beyond either end.
+pub(super) fn equidistant(
+    weights: &ChannelWeights,
+    count: usize,
+    left_out: f64,
+) -> Vec<(f64, Rgb<f64>)> {
     let [first, last] = [VISIBLE_NM[1], VISIBLE_NM[0]].map(|nm| 1.0 / nm);
     let fine = (last - first) / GRID as f64;
     let sigma = |i: usize| first + (i as f64 + 0.5) * fine;
@@ -104,7 +111,7 @@ fn equidistant(weights: &ChannelWeights, count: usize) -> Vec<(f64, Rgb<f64>)> {
     let white: Rgb<f64> = std::array::from_fn(|c| channels.iter().map(|w| w[c]).sum());
     let power = |w: &Rgb<f64>| (0..3).map(|c| (w[c] / white[c]).abs()).sum::<f64>();
     let whole: f64 = channels.iter().map(power).sum();
-    let left_out = whole * LEFT_OUT / (count * count) as f64;
+    let left_out = whole * left_out;
     // The faint end on either side, per nm.
     let cut = |from_first: bool| {
         let mut sum = 0.0;
@@ -117,18 +124,25 @@ fn equidistant(weights: &ChannelWeights, count: usize) -> Vec<(f64, Rgb<f64>)> {
     };
     let (first, last) = (first + cut(true), last - cut(false));
     let step = (last - first) / count as f64;
+    // sin(pi (sigma - node) / step) differs from node to node by its sign alone.
+    let waves = (0..GRID).map(|i| {
+        let x = PI * (sigma(i) - first) / step;
+        (x, -x.cos())
+    });
+    let waves: Vec<(f64, f64)> = waves.collect();
     let mut nodes: Vec<(f64, Rgb<f64>)> = (0..count)
         .map(|k| {
-            let node = first + (k as f64 + 0.5) * step;
+            let node = k as f64 + 0.5;
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
             let mut sums = [0.0; 3];
-            for (i, w) in channels.iter().enumerate() {
-                let x = PI * (sigma(i) - node) / step;
-                let sinc = if x == 0.0 { 1.0 } else { x.sin() / x };
+            for ((x, sine), w) in waves.iter().zip(&channels) {
+                let x = x - PI * node;
+                let sinc = if x.abs() < 1e-6 { 1.0 } else { sign * sine / x };
                 for c in 0..3 {
                     sums[c] += w[c] * sinc;
                 }
             }
-            (node, sums)
+            (first + node * step, sums)
         })
         .collect();
     let sum: Rgb<f64> = std::array::from_fn(|c| nodes.iter().map(|(_, w)| w[c]).sum());

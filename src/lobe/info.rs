@@ -25,6 +25,13 @@ impl Flags {
         Self(self.0 | other.0)
     }
 
+    /// Those of several lobes together.
+    pub fn of(lobes: &[LobeInfo]) -> Self {
+        lobes
+            .iter()
+            .fold(Self(0), |flags, lobe| flags.with(lobe.flags))
+    }
+
     /// Whether every bit of `other` is set.
     pub const fn contains(self, other: Self) -> bool {
         self.0 & other.0 == other.0
@@ -44,6 +51,9 @@ pub struct ModelInfo {
     pub params: &'static [ParamInfo],
     /// The lobes that sampling chooses from, in the order of their numbers.
     pub lobes: &'static [LobeInfo],
+    /// Index of the parameter that is the thickness of the film's varying layer, for a model that
+    /// takes a film.
+    pub film_thickness: Option<usize>,
     /// When and why value(wo, wi) wo.z differs from value(wi, wo) wi.z.
     pub not_reciprocal: Option<Exception>,
     /// When and why the directional albedo exceeds 1.
@@ -53,9 +63,7 @@ pub struct ModelInfo {
 impl ModelInfo {
     /// The flags of all lobes together.
     pub fn flags(&self) -> Flags {
-        self.lobes
-            .iter()
-            .fold(Flags(0), |flags, lobe| flags.with(lobe.flags))
+        Flags::of(self.lobes)
     }
 
     /// The index of a parameter.

@@ -5,6 +5,8 @@
 //! seen at grazing angles, which are flatter than this.
 
 use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::mixture::Mixture;
+use super::precision::Precision;
 use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
 use super::values::Values;
 use crate::math::{Element, PI, Rgb, Vec3, warp};
@@ -35,16 +37,17 @@ impl Model for Lambert {
             name: c"diffuse",
             flags: Flags::REFLECTION.with(Flags::DIFFUSE),
         }],
+        film_thickness: None,
         not_reciprocal: None,
         not_conserving: None,
     };
 
-    type Prepared<T: Element> = Prepared<T>;
+    type Prepared<T: Precision> = Mixture<Prepared<T>>;
 
-    fn prepare<T: Element>(values: &Values<T>) -> Prepared<T> {
-        Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> Mixture<Prepared<T>> {
+        Mixture(Prepared {
             reflectance: values.rgb(REFLECTANCE),
-        }
+        })
     }
 }
 

@@ -1,15 +1,18 @@
 //! The scattering models, one file (or folder) each, and the registry that lists them.
 //!
-//! To add a model, write its file, implement [`Model`] and [`Scattering`] in it, and add its line
-//! to `registry.rs`. Everything else (creation, validation, the C interface, the laws that every
+//! To add a model, write its file, implement [`Model`] and [`Scattering`] in it (or [`Kernel`], if a
+//! lobe has no density), and add its line to `registry.rs`. Everything else (creation, validation, the C interface, the laws that every
 //! model is tested against, the table in the README) follows from the registry.
 
+mod film;
 mod info;
 mod kernel;
 mod lambert;
 mod layered;
+mod mixture;
 mod phong;
 mod power_lobe;
+mod precision;
 mod quadrature;
 mod registry;
 mod scattering;
@@ -17,6 +20,8 @@ mod values;
 
 pub use info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
 pub use kernel::{Direction, Kernel, Override};
+pub use mixture::Mixture;
+pub use precision::Precision;
 pub use registry::{Entry, find, models};
 pub use scattering::{MAX_LOBES, Model, PerLobe, Scattering};
 pub use values::Values;

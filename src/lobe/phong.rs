@@ -9,9 +9,11 @@
 //! darkens towards grazing angles, where real surfaces brighten.
 
 use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::mixture::Mixture;
 use super::power_lobe::{
     conserving_normalization, estimated_integral, mean, power_of_cosine, sample_about,
 };
+use super::precision::Precision;
 use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
 use super::values::Values;
 use crate::error::Error;
@@ -80,11 +82,12 @@ impl Model for Phong {
                 flags: Flags::REFLECTION.with(Flags::GLOSSY),
             },
         ],
+        film_thickness: None,
         not_reciprocal: None,
         not_conserving: None,
     };
 
-    type Prepared<T: Element> = Prepared<T>;
+    type Prepared<T: Precision> = Mixture<Prepared<T>>;
 
     fn check(upper: &Values<f32>) -> Result<(), Error> {
         let (diffuse, specular) = (upper.rgb(DIFFUSE), upper.rgb(SPECULAR));
@@ -100,12 +103,12 @@ impl Model for Phong {
         Ok(())
     }
 
-    fn prepare<T: Element>(values: &Values<T>) -> Prepared<T> {
-        Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> Mixture<Prepared<T>> {
+        Mixture(Prepared {
             diffuse: values.rgb(DIFFUSE),
             specular: values.rgb(SPECULAR),
             exponent: values.number(EXPONENT),
-        }
+        })
     }
 }
 

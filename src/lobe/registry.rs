@@ -1,5 +1,6 @@
 //! The list of models. A new model adds its line here and nothing anywhere else.
 
+use super::film::ThinFilm;
 use super::info::ModelInfo;
 use super::kernel::Kernel;
 use super::lambert::Lambert;
@@ -9,10 +10,11 @@ use super::scattering::Model;
 use super::values::Values;
 use crate::error::Error;
 
-static MODELS: [Entry; 3] = [
+static MODELS: [Entry; 4] = [
     Entry::of::<Lambert>(),
     Entry::of::<Phong>(),
     Entry::of::<Layered>(),
+    Entry::of::<ThinFilm>(),
 ];
 
 /// All models.
@@ -30,6 +32,10 @@ pub fn find(name: &str) -> Result<&'static Entry, Error> {
 pub struct Entry {
     /// What the model says about itself.
     pub info: &'static ModelInfo,
+    /// [`Model::needs_film`].
+    pub needs_film: fn(&Values<f32>) -> bool,
+    /// [`Model::lobe_count`].
+    pub lobe_count: fn(&Values<f32>) -> usize,
     /// [`Model::check`].
     pub check: fn(&Values<f32>) -> Result<(), Error>,
     /// [`Model::prepare`] in single precision.
@@ -42,6 +48,8 @@ impl Entry {
     const fn of<M: Model>() -> Self {
         Self {
             info: const { &M::INFO },
+            needs_film: M::needs_film,
+            lobe_count: M::lobe_count,
             check: M::check,
             prepare_f32: |values| Box::new(M::prepare(values)),
             prepare_f64: |values| Box::new(M::prepare(values)),

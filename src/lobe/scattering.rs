@@ -1,6 +1,8 @@
 //! The two traits that a model implements.
 
 use super::info::ModelInfo;
+use super::kernel::Kernel;
+use super::precision::Precision;
 use super::quadrature;
 use super::values::Values;
 use crate::error::Error;
@@ -18,7 +20,17 @@ pub trait Model: 'static {
     const INFO: ModelInfo;
 
     /// The compiled form: what evaluation needs and nothing else.
-    type Prepared<T: Element>: Scattering<T>;
+    type Prepared<T: Precision>: Kernel<T> + 'static;
+
+    /// Whether the model with these values uses a film; without one it cannot be compiled then.
+    fn needs_film(_values: &Values<f32>) -> bool {
+        Self::INFO.film_thickness.is_some()
+    }
+
+    /// How many of the lobes there are with these values, counted from the first.
+    fn lobe_count(_values: &Values<f32>) -> usize {
+        Self::INFO.lobes.len()
+    }
 
     /// Refuses combinations of values that are each within their own range. `upper` holds the
     /// greatest value that each parameter can take: its value, or the upper end of its varying range.
@@ -27,13 +39,14 @@ pub trait Model: 'static {
     }
 
     /// Compiles validated values.
-    fn prepare<T: Element>(values: &Values<T>) -> Self::Prepared<T>;
+    fn prepare<T: Precision>(values: &Values<T>) -> Self::Prepared<T>;
 }
 
-/// A compiled model.
+/// A compiled model whose lobes all reflect and have a density; [`Mixture`](super::Mixture) makes a
+/// kernel of it.
 ///
-/// For a model without TRANSMISSION every direction passed in is valid and has z > 0; the caller has
-/// seen to it. Directions returned may have z <= 0 or be null: then there is no sample.
+/// Every direction passed in is valid and has z > 0; the caller has seen to it. Directions returned
+/// may have z <= 0 or be null: then there is no sample.
 pub trait Scattering<T: Element>: Copy + Send + Sync + 'static {
     /// Replaces the value of a parameter that varies per call. A scalar is in all three places; a
     /// direction is unit.

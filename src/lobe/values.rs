@@ -1,13 +1,16 @@
 //! The validated values of a model's parameters.
 
 use super::info::{ModelInfo, ParamKind};
+use crate::film::Film;
 use crate::math::{Real, Rgb, Vec3};
+use std::sync::Arc;
 
-/// One entry per parameter of a model, in the order of [`ModelInfo::params`].
-#[derive(Clone, Debug)]
+/// One entry per parameter of a model, in the order of [`ModelInfo::params`], and the film.
+#[derive(Clone)]
 pub struct Values<T> {
     numbers: Vec<[T; 3]>,
     choices: Vec<usize>,
+    film: Option<Arc<Film>>,
 }
 
 impl<T: Real> Values<T> {
@@ -23,6 +26,7 @@ impl<T: Real> Values<T> {
         Self {
             numbers: numbers.collect(),
             choices: vec![0; info.params.len()],
+            film: None,
         }
     }
 
@@ -34,6 +38,11 @@ impl<T: Real> Values<T> {
     /// Sets the choice of a parameter.
     pub fn set_choice(&mut self, param: usize, choice: usize) {
         self.choices[param] = choice;
+    }
+
+    /// Sets the film.
+    pub fn set_film(&mut self, film: Option<Arc<Film>>) {
+        self.film = film;
     }
 
     /// A parameter with one component.
@@ -49,5 +58,10 @@ impl<T: Real> Values<T> {
     /// The index of the choice made for a parameter.
     pub fn choice(&self, param: usize) -> usize {
         self.choices[param]
+    }
+
+    /// The film, which a model that needs one has.
+    pub fn film(&self) -> Option<&Arc<Film>> {
+        self.film.as_ref()
     }
 }

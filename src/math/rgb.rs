@@ -17,6 +17,12 @@ pub trait Element: Real {
     fn gray(self) -> Self::Rgb;
     /// Red, green and blue.
     fn channels(rgb: Self::Rgb) -> [Self; 3];
+    /// Three entries from each of three rows of a table, the first at `from`, the rows `stride` entries
+    /// apart. An entry is three channels and a filler that must equal one of them.
+    ///
+    /// # Panics
+    /// If they are not all in the table.
+    fn load_block(table: &[[Self; 4]], from: usize, stride: usize) -> [[Self::Rgb; 3]; 3];
 }
 
 /// Numbers whose channels have no register to share.
@@ -35,6 +41,15 @@ macro_rules! side_by_side {
             #[inline(always)]
             fn channels(rgb: Triple<$t>) -> [$t; 3] {
                 rgb.0
+            }
+            #[inline(always)]
+            fn load_block(table: &[[$t; 4]], from: usize, stride: usize) -> [[Triple<$t>; 3]; 3] {
+                std::array::from_fn(|row| {
+                    std::array::from_fn(|entry| {
+                        let [r, g, b, _] = table[from + row * stride + entry];
+                        Triple([r, g, b])
+                    })
+                })
             }
         }
     };

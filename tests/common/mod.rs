@@ -2,9 +2,12 @@
 
 #![allow(dead_code)] // each test program uses a part
 
+pub mod films;
+
+use films::Kind;
 use glam::{DVec3, Vec3};
-use pellicle::lobe::{Entry, Exception, ParamKind};
-use pellicle::{Bsdf, Description};
+use pellicle::lobe::{Entry, Exception, Flags, ParamKind, Values};
+use pellicle::{Bsdf, Description, Scalar};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -55,6 +58,35 @@ fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
     .clamp(min, max)
 }
 
+/// A direction on a side that the BSDF has: the upper, or either.
+pub fn visible<T: Scalar>(bsdf: &Bsdf<T>, rng: &mut impl Rng) -> DVec3 {
+    let up = hemisphere(rng);
+    if bsdf.flags().contains(Flags::TRANSMISSION) && rng.random_bool(0.5) {
+        -up
+    } else {
+        up
+    }
+}
+
+/// Whether no lobe has a density.
+pub fn is_dirac<T: Scalar>(bsdf: &Bsdf<T>) -> bool {
+    let lobes = &bsdf.info().lobes[..bsdf.lobe_count()];
+    lobes.iter().all(|lobe| lobe.flags.contains(Flags::DELTA))
+}
+
+/// A model's name and every parameter at its default, with a film if it needs one then.
+pub fn defaults(entry: &Entry) -> Description {
+    let description = Description::new(entry.name());
+    if (entry.needs_film)(&Values::defaults(entry.info)) {
+        let thickness = entry.info.film_thickness.unwrap();
+        description
+            .film(Kind::Lens.film())
+            .set(entry.info.params[thickness].name(), &[300.0])
+    } else {
+        description
+    }
+}
+
 /// A model with random parameters, all within their ranges.
 pub struct Drawn {
     pub entry: &'static Entry,
@@ -77,7 +109,12 @@ impl Drawn {
     fn candidate(entry: &'static Entry, rng: &mut impl Rng) -> Self {
         let mut description = Description::new(entry.name());
         let mut choices = Vec::new();
-        for param in entry.info.params {
+        let mut values = Values::defaults(entry.info);
+        for (index, param) in entry.info.params.iter().enumerate() {
+            if entry.info.film_thickness == Some(index) {
+                choices.push(0);
+                continue;
+            }
             let mut choice = 0;
             match param.kind {
                 ParamKind::Number {
@@ -105,9 +142,19 @@ impl Drawn {
                     choice = rng.random_range(0..choices.len());
                     let name = choices[choice].to_str().unwrap();
                     description = description.choose(param.name(), name);
+                    values.set_choice(index, choice);
                 }
             }
             choices.push(choice);
+        }
+        if (entry.needs_film)(&values) {
+            let film = Kind::ALL[rng.random_range(0..Kind::ALL.len())].film();
+            let thickness = entry.info.film_thickness.unwrap();
+            if let Some([min, max]) = film.varying_thickness_nm() {
+                let thickness_nm = number(rng, min as f32, max as f32);
+                description = description.set(entry.info.params[thickness].name(), &[thickness_nm]);
+            }
+            description = description.film(film);
         }
         Self {
             entry,

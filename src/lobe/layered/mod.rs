@@ -46,10 +46,11 @@ mod sampling;
 mod tests;
 
 use super::info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::mixture::Mixture;
+use super::precision::Precision;
 use super::scattering::Model;
 use super::values::Values;
 use crate::error::Error;
-use crate::math::Element;
 pub use prepared::Prepared;
 
 /// The model; see the module's documentation.
@@ -168,6 +169,7 @@ impl Model for Layered {
             LobeInfo { name: c"refracted blue", flags: GLOSSY },
             LobeInfo { name: c"diffuse", flags: Flags::REFLECTION.with(Flags::DIFFUSE) },
         ],
+        film_thickness: None,
         not_reciprocal: Some(Exception {
             param: VARIANT,
             choice: VARIANT_PAPER,
@@ -180,7 +182,7 @@ impl Model for Layered {
         }),
     };
 
-    type Prepared<T: Element> = Prepared<T>;
+    type Prepared<T: Precision> = Mixture<Prepared<T>>;
 
     fn check(upper: &Values<f32>) -> Result<(), Error> {
         let specular = upper.number(SPECULAR_WEIGHT);
@@ -195,7 +197,7 @@ impl Model for Layered {
         Ok(())
     }
 
-    fn prepare<T: Element>(values: &Values<T>) -> Prepared<T> {
-        Prepared::new(values)
+    fn prepare<T: Precision>(values: &Values<T>) -> Mixture<Prepared<T>> {
+        Mixture(Prepared::new(values))
     }
 }

@@ -33,7 +33,7 @@ fn terms(case: &Case) -> [[f64; 3]; 4] {
     values.set_numbers(EXPONENT_TRANSMISSION, [case.exponents.1; 3]);
     values.set_numbers(BASE_NORMAL, direction(case.n1.0, case.n1.1).to_array());
     values.set_choice(VARIANT, VARIANT_PAPER);
-    let prepared = Layered::prepare::<f64>(&values);
+    let prepared = Prepared::<f64>::new(&values);
     let (wo, wi) = (
         direction(case.wo.0, case.wo.1),
         direction(case.wi.0, case.wi.1),
@@ -141,7 +141,7 @@ fn thickness_gives_the_reference_diffuse_coefficient() {
         let mut values = Values::defaults(&Layered::INFO);
         values.set_numbers(ETA, eta);
         values.set_numbers(THICKNESS_NM, [thickness; 3]);
-        f64::channels(Layered::prepare::<f64>(&values).rho_d)
+        f64::channels(Prepared::<f64>::new(&values).rho_d)
     };
     let old_metal = [1.506945410, 1.480631200, 1.450620590];
     assert_close(rho_d([1.5; 3], 15.0), old_metal, "rho_d");

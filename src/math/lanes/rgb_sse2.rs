@@ -8,8 +8,8 @@ use super::super::{Element, Mask, Real};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// An expression of SSE2 intrinsics. Only those on values are used, none that takes a pointer; they
-/// are unsafe to call merely because other processors might lack the instructions.
+/// An expression of SSE2 intrinsics. They are on values, none takes a
+/// pointer; they are unsafe to call merely because other processors might lack the instructions.
 macro_rules! sse2 {
     ($expression:expr) => {
         // SAFETY: SSE2 is part of the x86-64 baseline, for which alone this file is compiled.
@@ -41,6 +41,19 @@ impl Element for f32 {
         let green = sse2!(_mm_shuffle_ps::<0b01_01_01_01>(rgb.0, rgb.0));
         let blue = sse2!(_mm_movehl_ps(rgb.0, rgb.0));
         [lane(rgb.0), lane(green), lane(blue)]
+    }
+    #[inline(always)]
+    fn load_block(table: &[[f32; 4]], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
+        // No sum overflows, as a slice's bytes are at most isize::MAX.
+        assert!(stride < table.len() && from < table.len());
+        assert!(from + 2 * stride + 2 < table.len());
+        let start = table.as_ptr();
+        std::array::from_fn(|row| {
+            std::array::from_fn(|entry| {
+                // SAFETY: at most `last`, which is within the table; any alignment will do.
+                RgbLanes(unsafe { _mm_loadu_ps(start.add(from + row * stride + entry).cast()) })
+            })
+        })
     }
 }
 

@@ -1,36 +1,11 @@
-//! Batches: the single call over strided arrays. The one place outside `capi` that touches memory
-//! by address.
+//! Evaluation and sampling of a BSDF.
 
-#![allow(unsafe_code)]
-
+use super::view::{ConstView, View, check_reach};
 use crate::bsdf::{Bsdf, MAX_VARYING};
 use crate::error::Error;
 
 /// The most numbers that varying parameters may have together.
 const MAX_FLOATS: usize = 3 * MAX_VARYING;
-
-/// A strided array to read: component c of element i is `i * element_stride + c * component_stride`
-/// bytes from `data`. Any alignment, any sign of stride.
-#[derive(Clone, Copy, Debug)]
-pub struct ConstView {
-    /// Component 0 of element 0.
-    pub data: *const f32,
-    /// Bytes from one element to the next.
-    pub element_stride: isize,
-    /// Bytes from one component to the next.
-    pub component_stride: isize,
-}
-
-/// A strided array to write, addressed like [`ConstView`]; null data = not wanted.
-#[derive(Clone, Copy, Debug)]
-pub struct View<T = f32> {
-    /// Component 0 of element 0.
-    pub data: *mut T,
-    /// Bytes from one element to the next.
-    pub element_stride: isize,
-    /// Bytes from one component to the next.
-    pub component_stride: isize,
-}
 
 /// Arguments of [`eval`].
 #[derive(Clone, Copy, Debug)]
@@ -154,76 +129,6 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs) -> Result<(), Error> {
         }
     }
     Ok(())
-}
-
-/// Refuses views whose farthest component is further away than an address can say.
-fn check_reach(
-    name: &str,
-    components: usize,
-    count: usize,
-    element_stride: isize,
-    component_stride: isize,
-) -> Result<(), Error> {
-    let reach = |steps: usize, stride: isize| steps.checked_mul(stride.unsigned_abs());
-    let farthest = reach(count.saturating_sub(1), element_stride)
-        .zip(reach(components - 1, component_stride))
-        .and_then(|(elements, components)| elements.checked_add(components));
-    match farthest {
-        Some(bytes) if isize::try_from(bytes).is_ok() => Ok(()),
-        _ => Err(Error::invalid(format!(
-            "{name}: count = {count} with element_stride = {element_stride} and \
-             component_stride = {component_stride} overflows the address space"
-        ))),
-    }
-}
-
-impl ConstView {
-    fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
-        if self.data.is_null() && count > 0 {
-            return Err(Error::invalid(format!("{name}.data is NULL")));
-        }
-        check_reach(
-            name,
-            components,
-            count,
-            self.element_stride,
-            self.component_stride,
-        )
-    }
-
-    unsafe fn at(&self, i: usize, c: usize) -> f32 {
-        let offset = i as isize * self.element_stride + c as isize * self.component_stride;
-        // SAFETY: the caller of the batch vouches for this address; check_reach for the offset.
-        unsafe { self.data.byte_offset(offset).read_unaligned() }
-    }
-
-    unsafe fn load(&self, i: usize) -> [f32; 3] {
-        // SAFETY: as in `at`.
-        unsafe { [self.at(i, 0), self.at(i, 1), self.at(i, 2)] }
-    }
-}
-
-impl<T: Copy> View<T> {
-    fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
-        check_reach(
-            name,
-            components,
-            count,
-            self.element_stride,
-            self.component_stride,
-        )
-    }
-
-    unsafe fn store<const N: usize>(&self, i: usize, values: [T; N]) {
-        if self.data.is_null() {
-            return;
-        }
-        for (c, value) in values.into_iter().enumerate() {
-            let offset = i as isize * self.element_stride + c as isize * self.component_stride;
-            // SAFETY: the caller of the batch vouches for this address; check_reach for the offset.
-            unsafe { self.data.byte_offset(offset).write_unaligned(value) }
-        }
-    }
 }
 
 /// The varying parameters of all elements.

@@ -1,0 +1,83 @@
+//! A shape and a colour for each family: the shape alone must do in grey print.
+
+use crate::entry::Family;
+use plotters::prelude::*;
+
+/// Where everything is drawn.
+pub type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+/// How drawing fails.
+pub type Failure = DrawingAreaErrorKind<std::io::Error>;
+
+/// Half the width of a marker.
+pub const RADIUS: i32 = 5;
+
+impl Family {
+    pub fn color(self) -> RGBColor {
+        match self {
+            Self::TwoBeam => RGBColor(0, 0, 0),
+            Self::AiryRgb => RGBColor(90, 90, 90),
+            Self::Quadrature => RGBColor(0, 114, 178),
+            Self::Bands => RGBColor(0, 140, 100),
+            Self::Gaussian => RGBColor(213, 94, 0),
+            Self::Tabulated => RGBColor(190, 70, 0),
+            Self::Planned => RGBColor(190, 20, 120),
+            Self::Reference => RGBColor(0, 0, 0),
+        }
+    }
+
+    /// Draws the family's marker.
+    pub fn draw(self, area: &Area, (x, y): (i32, i32)) -> Result<(), Failure> {
+        let r = RADIUS;
+        let color = self.color();
+        let line = color.stroke_width(2);
+        let stroke = |points: Vec<(i32, i32)>| area.draw(&PathElement::new(points, line));
+        let fill = |points: Vec<(i32, i32)>| area.draw(&Polygon::new(points, color.filled()));
+        match self {
+            Self::TwoBeam => {
+                stroke(vec![(x - r, y - r), (x + r, y + r)])?;
+                stroke(vec![(x - r, y + r), (x + r, y - r)])
+            }
+            Self::AiryRgb => {
+                stroke(vec![(x - r - 1, y), (x + r + 1, y)])?;
+                stroke(vec![(x, y - r - 1), (x, y + r + 1)])
+            }
+            Self::Quadrature => {
+                let corners = vec![(x, y - r - 1), (x + r, y + r - 1), (x - r, y + r - 1)];
+                let outline = corners.iter().chain(&corners[..2]).copied().collect();
+                area.draw(&Polygon::new(corners, WHITE.filled()))?;
+                stroke(outline)
+            }
+            Self::Bands => area.draw(&Rectangle::new(
+                [(x - r + 1, y - r + 1), (x + r - 1, y + r - 1)],
+                color.filled(),
+            )),
+            Self::Gaussian => {
+                area.draw(&Circle::new((x, y), r, WHITE.filled()))?;
+                area.draw(&Circle::new((x, y), r, line))
+            }
+            Self::Tabulated => area.draw(&Circle::new((x, y), r, color.filled())),
+            Self::Planned => fill(vec![
+                (x, y - r - 2),
+                (x + r + 2, y),
+                (x, y + r + 2),
+                (x - r - 2, y),
+            ]),
+            Self::Reference => fill(star(x, y)),
+        }
+    }
+}
+
+/// A star with five points.
+fn star(x: i32, y: i32) -> Vec<(i32, i32)> {
+    (0..10)
+        .map(|i| {
+            let angle = f64::from(i) * std::f64::consts::PI / 5.0;
+            let radius = if i % 2 == 0 { 9.0 } else { 3.8 };
+            let (sin, cos) = angle.sin_cos();
+            (
+                x + (radius * sin).round() as i32,
+                y - (radius * cos).round() as i32,
+            )
+        })
+        .collect()
+}

@@ -1,0 +1,88 @@
+//! ns per colour, on one core.
+
+use crate::batch;
+use crate::entry::Compiled;
+use crate::suite::Point;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// Random points of one repetition, which should end before the operating system interrupts it.
+const POINTS: usize = 1 << 11;
+/// Times are the median of so many repetitions.
+pub const REPETITIONS: usize = 15;
+/// Every repetition has its own points: a processor learns the branches of those that return.
+pub const ALL_POINTS: usize = POINTS * REPETITIONS;
+/// So long the caches are filled, at least, before a repetition.
+const WARM_UP: Duration = Duration::from_micros(500);
+/// A method slower than this, in ns,
+const SLOW_NS: f64 = 2000.0;
+/// is timed at so many points per repetition.
+const FEW_POINTS: usize = 24;
+
+/// One repetition, after unmeasured ones at other points that fill the caches.
+pub fn single_calls(compiled: &Compiled, points: &[Point], repetition: usize) -> f64 {
+    match compiled {
+        Compiled::Method(method) => measured(points, repetition, |points| {
+            for [cos_theta, thickness_nm] in points {
+                black_box(method.reflectance(*cos_theta, *thickness_nm));
+            }
+        }),
+        Compiled::Film(film) => measured(points, repetition, |points| {
+            for [cos_theta, thickness_nm] in points {
+                black_box(film.reflectance(*cos_theta, *thickness_nm));
+            }
+        }),
+        Compiled::Reference(truth) => measured(points, repetition, |points| {
+            for point in points {
+                black_box(truth.reflectance(*point));
+            }
+        }),
+    }
+}
+
+/// The same for a batch call; none for what has no batches.
+pub fn batch(compiled: &Compiled, points: &[Point], repetition: usize) -> Option<f64> {
+    let Compiled::Film(film) = compiled else {
+        return None;
+    };
+    let mut colors = vec![[0.0; 3]; POINTS];
+    let time = measured(points, repetition, |points| {
+        batch::evaluate(film, points, &mut colors).expect("views of slices");
+        black_box(&colors);
+    });
+    Some(time)
+}
+
+/// ns per point of work on a repetition's points, or on a few of them if it is slow.
+fn measured(points: &[Point], repetition: usize, mut work: impl FnMut(&[Point])) -> f64 {
+    let mut time = |points: &[Point]| {
+        let start = Instant::now();
+        work(points);
+        start.elapsed().as_secs_f64() * 1e9 / points.len() as f64
+    };
+    let chunk = |i: usize| &points[i * POINTS..(i + 1) * POINTS];
+    let few = &chunk(repetition)[..FEW_POINTS];
+    let first = &few[..8];
+    if time(first).min(time(first)) > SLOW_NS {
+        return time(few);
+    }
+    let start = Instant::now();
+    for other in 1..REPETITIONS {
+        time(chunk((repetition + other) % REPETITIONS));
+        if start.elapsed() >= WARM_UP {
+            break;
+        }
+    }
+    time(chunk(repetition))
+}
+
+/// The middle one, or the mean of the middle two.
+pub fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let half = values.len() / 2;
+    if values.len() % 2 == 1 {
+        values[half]
+    } else {
+        0.5 * (values[half - 1] + values[half])
+    }
+}

@@ -1,0 +1,124 @@
+//! Evaluators that compile nothing but what they are given.
+
+use super::FilmDescription;
+use super::compiled::{Colors, Evaluator};
+use super::series::Series;
+use super::{Kind, Method, OneLayer};
+use crate::error::Error;
+use crate::math::Rgb;
+use crate::optics::stack::Side;
+use crate::optics::{Reference, dielectric_reflectance, schlick};
+
+/// Schlick's approximation from the colour at normal incidence.
+pub(super) struct SchlickBase(pub Rgb<f32>);
+
+/// Fresnel's equations between two dielectrics without dispersion.
+pub(super) struct FresnelBase {
+    /// Index of the base over that of the ambient.
+    pub eta: f32,
+}
+
+/// A method for one layer.
+pub(super) struct OneLayerMethod {
+    method: Box<dyn Method<f32>>,
+    fixed_nm: Option<f32>,
+}
+
+/// The series at every call.
+pub(super) struct SeriesMethod(pub Series);
+
+/// The reference at every call.
+pub(super) struct ReferenceMethod {
+    pub reference: Reference,
+    pub description: FilmDescription,
+}
+
+impl OneLayerMethod {
+    /// `layer` of a description with one layer.
+    pub(super) fn new(
+        description: &FilmDescription,
+        layer: &OneLayer,
+        kind: Kind,
+    ) -> Result<Self, Error> {
+        let fixed = description.varying().is_none();
+        let thickness = description.layers[0].thickness_nm[0] as f32;
+        Ok(Self {
+            method: kind.compile::<f32>(layer)?,
+            fixed_nm: fixed.then_some(thickness),
+        })
+    }
+}
+
+/// Of an evaluator that knows no other side.
+fn one_sided(reflectance: Rgb<f32>) -> Colors {
+    Colors {
+        reflectance,
+        transmittance: [0.0; 3],
+    }
+}
+
+impl Evaluator for SchlickBase {
+    fn reflectance(&self, cos_theta: f32, _: f32) -> Rgb<f32> {
+        self.0.map(|f0| schlick(f0, cos_theta))
+    }
+
+    fn colors(&self, _: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        one_sided(self.reflectance(cos_theta, thickness_nm))
+    }
+}
+
+impl Evaluator for FresnelBase {
+    fn reflectance(&self, cos_theta: f32, _: f32) -> Rgb<f32> {
+        [dielectric_reflectance(cos_theta, self.eta); 3]
+    }
+
+    fn colors(&self, _: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        one_sided(self.reflectance(cos_theta, thickness_nm))
+    }
+}
+
+impl Evaluator for OneLayerMethod {
+    fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        let thickness_nm = self.fixed_nm.unwrap_or(thickness_nm);
+        self.method.reflectance(cos_theta, thickness_nm)
+    }
+
+    fn colors(&self, _: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        one_sided(self.reflectance(cos_theta, thickness_nm))
+    }
+}
+
+impl Evaluator for SeriesMethod {
+    fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        self.colors(Side::Ambient, cos_theta, thickness_nm)
+            .reflectance
+    }
+
+    fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        let (cos_theta, thickness_nm) = (f64::from(cos_theta), f64::from(thickness_nm));
+        let found = self.0.at(side, cos_theta, thickness_nm);
+        rounded(found.reflectance, found.transmittance)
+    }
+}
+
+impl Evaluator for ReferenceMethod {
+    fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        self.colors(Side::Ambient, cos_theta, thickness_nm)
+            .reflectance
+    }
+
+    fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        let thicknesses = self.description.thicknesses(f64::from(thickness_nm));
+        let found = self
+            .reference
+            .evaluate(side, f64::from(cos_theta), &thicknesses);
+        rounded(found.reflectance, found.transmittance)
+    }
+}
+
+fn rounded(reflectance: Rgb<f64>, transmittance: Rgb<f64>) -> Colors {
+    Colors {
+        reflectance: reflectance.map(|x| x as f32),
+        transmittance: transmittance.map(|x| x as f32),
+    }
+}

@@ -1,0 +1,150 @@
+//! Compiled tables: a quadratic spline in one or two coordinates.
+
+use super::axes::Axes;
+use super::spline::{controls, weights};
+use crate::error::{Error, Status};
+use crate::math::{Element, Rgb};
+
+type Lanes = <f32 as Element>::Rgb;
+
+/// A control point: three channels and a filler, as one register takes them.
+type Control = [f32; 4];
+
+/// Adding it rounds a number in [0, 2^22] to a whole one, which is then in the lowest bits.
+const WHOLE: f32 = 8_388_608.0;
+
+/// Colours over the cosine alone: a film of fixed thickness, or none.
+///
+/// Cost: one division, 3 control points.
+#[derive(Clone, Debug)]
+pub(super) struct Curve {
+    axes: Axes<f32>,
+    points: Box<[Control]>,
+    last: f32,
+}
+
+/// Colours over cosine and thickness.
+///
+/// Cost: two divisions, side by side, and 9 control points.
+#[derive(Clone, Debug)]
+pub(super) struct Table {
+    axes: Axes<f32>,
+    /// Rows of equal y, two longer than the values were.
+    points: Box<[Control]>,
+    row: usize,
+    last: [f32; 2],
+}
+
+#[inline(always)]
+fn weighted([a, b, c]: [Lanes; 3], [u, v, w]: [Lanes; 3]) -> Lanes {
+    a * u + b * v + c * w
+}
+
+impl Curve {
+    /// Through values at equal steps of the first coordinate, at least
+    /// [`LEAST_VALUES`](super::spline::LEAST_VALUES).
+    pub(super) fn new(axes: &Axes<f64>, values: &[Rgb<f64>]) -> Result<Self, Error> {
+        let mut fitted = Vec::new();
+        controls(values, &mut fitted);
+        let mut points = reserve(fitted.len())?;
+        points.extend(fitted.into_iter().map(packed));
+        Ok(Self {
+            axes: axes.rounded(),
+            points: points.into(),
+            last: (values.len() - 1) as f32,
+        })
+    }
+
+    /// At a cosine in [0, 1].
+    #[inline(always)]
+    pub(super) fn at(&self, cos_theta: f32) -> Rgb<f32> {
+        let position = self.axes.x(cos_theta, 0.0) * self.last;
+        let whole = position + WHOLE;
+        let index = (whole.to_bits() & 0x007f_ffff) as usize;
+        let [points, ..] = f32::load_block(&self.points, index, 0);
+        let w = weights(f32::gray(position - (whole - WHOLE)));
+        f32::channels(weighted(points, w))
+    }
+
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.points)
+    }
+
+    /// How many values it goes through.
+    pub(super) fn count(&self) -> usize {
+        self.points.len() - 2
+    }
+}
+
+impl Table {
+    /// Through values at equal steps of both coordinates, rows of equal y, `width` to a row; at least
+    /// [`LEAST_VALUES`](super::spline::LEAST_VALUES) either way.
+    pub(super) fn new(axes: &Axes<f64>, values: &[Rgb<f64>], width: usize) -> Result<Self, Error> {
+        let height = values.len() / width;
+        let row = width + 2;
+        // Control points of each row first, then of each column of those.
+        let mut along_x = reserve(row * height)?;
+        let mut fitted = Vec::new();
+        for values in values.chunks(width) {
+            controls(values, &mut fitted);
+            along_x.extend_from_slice(&fitted);
+        }
+        let mut points = reserve(row * (height + 2))?;
+        points.resize(row * (height + 2), [0.0; 4]);
+        let mut column = Vec::new();
+        for i in 0..row {
+            column.clear();
+            column.extend((0..height).map(|j| along_x[j * row + i]));
+            controls(&column, &mut fitted);
+            for (j, point) in fitted.iter().enumerate() {
+                points[j * row + i] = packed(*point);
+            }
+        }
+        Ok(Self {
+            axes: axes.rounded(),
+            points: points.into(),
+            row,
+            last: [(width - 1) as f32, (height - 1) as f32],
+        })
+    }
+
+    /// At a cosine in [0, 1] and a thickness within the range.
+    #[inline(always)]
+    pub(super) fn at(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        let x = self.axes.x(cos_theta, thickness_nm) * self.last[0];
+        let y = self.axes.y(cos_theta, thickness_nm) * self.last[1];
+        let whole = [x, y].map(|position| position + WHOLE);
+        let [i, j] = whole.map(|whole| (whole.to_bits() & 0x007f_ffff) as usize);
+        let across = weights(f32::gray(x - (whole[0] - WHOLE)));
+        let along = weights(f32::gray(y - (whole[1] - WHOLE)));
+        let rows = f32::load_block(&self.points, j * self.row + i, self.row);
+        let sums = rows.map(|row| weighted(row, across));
+        f32::channels(weighted(sums, along))
+    }
+
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.points)
+    }
+
+    /// How many values it goes through along either coordinate.
+    pub(super) fn counts(&self) -> [usize; 2] {
+        [self.row - 2, self.points.len() / self.row - 2]
+    }
+}
+
+fn packed(rgb: Rgb<f64>) -> Control {
+    let [r, g, b] = rgb.map(|channel| channel as f32);
+    [r, g, b, b]
+}
+
+pub(super) fn reserve<T>(count: usize) -> Result<Vec<T>, Error> {
+    let mut vector = Vec::new();
+    vector.try_reserve_exact(count).map_err(|_| {
+        let bytes = count * size_of::<T>();
+        Error::new(
+            Status::OutOfMemory,
+            format!("no memory for a film's table of {bytes} bytes"),
+        )
+    })?;
+    Ok(vector)
+}

@@ -1,0 +1,94 @@
+//! Models whose lobes all have a density: overrides, mixture and choice of lobe are the same for all.
+
+use super::kernel::{Direction, Kernel, Override, choose};
+use super::precision::Precision;
+use super::quadrature::mixture;
+use super::scattering::{PerLobe, Scattering};
+use crate::math::{Rgb, Vec3};
+
+/// The kernel of a [`Scattering`] model, whose lobes reflect.
+pub struct Mixture<S>(pub S);
+
+/// Calls `$body` with `$scattering` being `$self` under `$overrides`. Nothing is copied when
+/// nothing varies.
+macro_rules! with_overrides {
+    ($self:ident, $overrides:ident, |$scattering:ident| $body:expr) => {
+        if $overrides.is_empty() {
+            let $scattering = &$self.0;
+            $body
+        } else {
+            let mut copy = $self.0;
+            for change in $overrides {
+                copy.vary(change.param, change.value);
+            }
+            let $scattering = &copy;
+            $body
+        }
+    };
+}
+
+impl<T: Precision, S: Scattering<T>> Kernel<T> for Mixture<S> {
+    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        with_overrides!(self, overrides, |scattering| Scattering::eval(
+            scattering, wo, wi
+        ))
+    }
+
+    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
+        with_overrides!(self, overrides, |scattering| {
+            let (value, densities) = scattering.eval_with_densities(wo, wi);
+            (value, mixture(&scattering.selection(wo), &densities))
+        })
+    }
+
+    fn lobes(
+        &self,
+        overrides: &[Override<T>],
+        wo: Vec3<T>,
+        wi: Vec3<T>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        with_overrides!(self, overrides, |scattering| {
+            (
+                scattering.selection(wo),
+                scattering.eval_with_densities(wo, wi).1,
+            )
+        })
+    }
+
+    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
+        with_overrides!(self, overrides, |scattering| sample(scattering, wo, u))
+    }
+
+    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
+        with_overrides!(self, overrides, |scattering| Scattering::albedo(
+            scattering, wo
+        ))
+    }
+}
+
+#[inline(always)]
+fn sample<T: Precision, S: Scattering<T>>(
+    scattering: &S,
+    wo: Vec3<T>,
+    u: [T; 3],
+) -> Option<Direction<T>> {
+    let selection = scattering.selection(wo);
+    let lobe = choose(&selection, u[0])?;
+    let wi = scattering.sample(lobe, wo, [u[1], u[2]]);
+    if wi.z <= T::new(0.0) {
+        return None;
+    }
+    let (value, densities) = scattering.eval_with_densities(wo, wi);
+    let pdf = mixture(&selection, &densities);
+    if pdf <= T::new(0.0) || !pdf.is_finite() {
+        return None;
+    }
+    let weight = value.map(|value| value / pdf);
+    Some(Direction {
+        wi,
+        pdf,
+        weight,
+        eta: T::new(1.0),
+        lobe,
+    })
+}
