@@ -1,18 +1,18 @@
 // Nanoseconds per call beside a renderer's own plain C++, and the difference of the results: time
 // and error stand together. Prints Markdown. Fails only if the results disagree, never on time.
 //
-// All contenders take turns within one process, so that noise of the machine hits them alike, and
-// see a million random inputs, so that no branch or table of the standard library learns them.
+// All contenders see a million random inputs, so that no branch or table of the standard library
+// learns them. The films have a table of their own.
 
+#include "contender.hpp"
+#include "film.hpp"
 #include "plain.hpp"
 
 #include <pellicle.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -21,8 +21,6 @@ namespace {
 
 using Vec3 = std::array<float, 3>;
 
-constexpr std::size_t count = 1'000'000;
-constexpr int runs = 9;
 // One albedo is a quadrature of about a millisecond.
 constexpr std::size_t albedo_count = 50;
 constexpr double allowed_difference = 1e-3;
@@ -78,19 +76,6 @@ pellicle::Bsdf layered(const char *variant) {
         .choose("variant", variant)
         .create();
 }
-
-struct Contender {
-    std::string name;
-    std::size_t calls;
-    std::function<float()> run; // all calls once; the sum keeps the compiler from leaving them out
-    std::vector<double> nanoseconds;
-
-    double median() const {
-        std::vector<double> sorted = nanoseconds;
-        std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-        return sorted[sorted.size() / 2];
-    }
-};
 
 Contender plain_contender(const Inputs &inputs) {
     return {"plain C++, paper's specular term, value", count, [&inputs] {
@@ -156,18 +141,6 @@ void add_contenders(std::vector<Contender> &contenders, const std::string &name,
     batch("eval_batch, value and pdf", true);
 }
 
-void measure(std::vector<Contender> &contenders) {
-    volatile float keep = 0.0f;
-    // One round more than counted: the first one warms up.
-    for (int run = 0; run <= runs; ++run)
-        for (Contender &contender : contenders) {
-            const auto start = std::chrono::steady_clock::now();
-            keep = keep + contender.run();
-            const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-            if (run > 0) contender.nanoseconds.push_back(time.count() / static_cast<double>(contender.calls));
-        }
-}
-
 void print_times(const std::vector<Contender> &contenders) {
     std::printf("| what | ns per call | against plain C++ |\n|---|---:|---:|\n");
     for (const Contender &contender : contenders)
@@ -231,6 +204,10 @@ int main() {
     print_times(contenders);
     if (!print_differences(inputs)) {
         std::fprintf(stderr, "plain C++ and pellicle differ by more than %g of the greatest value\n", allowed_difference);
+        return 1;
+    }
+    if (!bench_films()) {
+        std::fprintf(stderr, "a film is further from full wave optics than its tolerance\n");
         return 1;
     }
     return 0;

@@ -15,11 +15,11 @@ SharedMaterial mirror(const Stack &stack, float thicknessMax, Pattern thickness)
 }
 
 SharedMaterial soapMaterial() {
-    constexpr float max = 1000;
+    constexpr float max = 800;
     return std::make_shared<Material>(
         pellicle::BsdfBuilder("film").film(soap().film(max).transmittance().create()),
         std::vector<VaryingParameter>{
-            {"thickness_nm", 0, max, draining(V3f(0, -1, 0), -0.86f, 1, 720, 0.5f)}});
+            {"thickness_nm", 0, max, draining(V3f(0, -1, 0), -0.86f, 1, 660, 0.42f)}});
 }
 
 SharedMaterial oilMaterial() { return mirror(oilOnWater(), 800, stirred(-160, 720, 1.5f)); }
@@ -46,11 +46,11 @@ SharedMaterial siliconMaterial() {
 } // namespace
 
 const std::vector<Scene> &filmScenes() {
-    const Floor pale{0.5f, 0.06f}, dark{0.006f, 0.002f};
+    const Floor pale{0.5f, 0.2f}, dark{0.006f, 0.002f};
     static const std::vector<Scene> all{
-        {"soap", "Soap, draining\n0 nm at the top, 720 nm below", soapMaterial, 3, bubbleAndFrame,
+        {"soap", "Soap, draining\n0 nm at the top, 660 nm below", soapMaterial, 2.6f, bubbleAndFrame,
          Lighting::darkRoom, 4, 12},
-        {"oil", "Oil on deep water\n0-720 nm, two angles", oilMaterial, 3.2f, dish, Lighting::sky},
+        {"oil", "Oil on deep water\n0-720 nm, two angles", oilMaterial, 3, dish, Lighting::sky},
         {"titanium", "Anodised titanium\nTiO2 in steps of 12.5 nm", titaniumMaterial, 0.2f,
          sphereAndMesh(pale), Lighting::tent},
         {"steel", "Tempered steel\nFe3O4 from 0 to 75 nm", steelMaterial, 0.4f, sphereAndMesh(pale),

@@ -30,6 +30,7 @@ public:
 
     const SurfacePoint &point() const { return point_; }
     bool onlyDirac() const { return material_.onlyDirac(); }
+    bool transmits() const { return material_.transmits(); }
 
     struct Scattering {
         Rgb value{0};
@@ -77,6 +78,18 @@ float powerHeuristic(float pdf, float otherPdf) {
     if (pdf == 0) return 0;
     const float ratio = otherPdf / pdf;
     return 1 / (1 + ratio * ratio);
+}
+
+/// The number that chooses the lobe, and the reciprocal of its density.
+struct LobeChoice {
+    float u, weight;
+};
+
+/// What is seen in a transparent film is its faint reflection, lobe 0, to which pellicle gives as few
+/// samples as it has power. Squaring the number gives it the square root of that share.
+LobeChoice chooseLobe(const Shading &shading, float u) {
+    if (!(shading.onlyDirac() && shading.transmits())) return {u, 1};
+    return {u * u, 2 * u};
 }
 
 bool isBlack(const Rgb &c) { return c.x == 0 && c.y == 0 && c.z == 0; }
@@ -147,9 +160,9 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
                                reflections);
         }
 
-        const float lobe = sampler.next1d();
-        const Shading::Sample next = shading.sample(lobe, sampler.next2d());
-        throughput *= next.weight;
+        const LobeChoice lobe = chooseLobe(shading, sampler.next1d());
+        const Shading::Sample next = shading.sample(lobe.u, sampler.next2d());
+        throughput *= next.weight * lobe.weight;
         bsdfPdf = next.dirac ? 0 : next.pdf;
         inMirrors = inMirrors && next.dirac;
         if (!inMirrors) ++reflections;
@@ -157,9 +170,10 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
 
         // Russian roulette (J. Arvo and D. Kirk, "Particle Transport and Image Synthesis", SIGGRAPH
         // 1990). Below 1, as the paper's variant can reflect more light than it receives; well above
-        // 0, and not at the first surface, as what dark surfaces reflect would become speckles.
+        // 0, and not at the first surface, seen directly or in mirrors, as what dark surfaces reflect
+        // would become speckles.
         if (isBlack(throughput)) return sum;
-        if (bounce == 0) continue;
+        if (inMirrors || bounce == 0) continue;
         const float survival = std::clamp(maxComponent(throughput), 0.25f, 0.95f);
         if (sampler.next1d() >= survival) return sum;
         throughput *= 1 / survival;

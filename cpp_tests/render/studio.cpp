@@ -23,8 +23,8 @@ const std::vector<SoftBox> studioBoxes{
 };
 
 const std::vector<SoftBox> wideBoxes{
-    {-112, 4, 84, 104, 0, Rgb(1.1f, 1.1f, 1.1f)},   // left, in front
-    {116, 4, 76, 100, 0, Rgb(0.9f, 0.9f, 0.9f)},    // right, in front
+    {-122, 4, 84, 104, 0, Rgb(1.1f, 1.1f, 1.1f)},   // left, in front
+    {126, 4, 80, 100, 0, Rgb(0.9f, 0.9f, 0.9f)},    // right, in front
     {180, 72, 64, 44, 0, Rgb(1.2f, 1.2f, 1.2f)},    // above the camera
     {-46, 30, 24, 66, 6, Rgb(0.9f, 0.9f, 0.9f)},    // behind, left
     {48, 34, 24, 66, -6, Rgb(0.9f, 0.9f, 0.9f)},    // behind, right

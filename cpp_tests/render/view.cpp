@@ -37,7 +37,7 @@ std::vector<View> bubbleAndFrame(const std::shared_ptr<const Material> &material
     const V3f normal(std::sin(turn), 0, std::cos(turn));
     auto frame = std::make_unique<World>();
     frame->add(share(disc(V3f(0), normal, 1)), material);
-    frame->add(share(ring(V3f(0), normal, 1.02f, 0.06f)), grey(0.4f));
+    frame->add(share(ring(V3f(0), normal, 1.02f, 0.06f)), grey(0.03f));
 
     const Camera camera(V3f(0, 0, 8), V3f(0), 17);
     std::vector<View> views;
@@ -61,7 +61,7 @@ std::vector<View> dish(const std::shared_ptr<const Material> &material, const Su
     };
     std::vector<View> views;
     views.push_back({"above", world(), camera(60, 16)});
-    views.push_back({"side", world(), camera(24, 16)});
+    views.push_back({"side", world(), camera(32, 16)});
     return views;
 }
 

@@ -11,7 +11,7 @@ use pellicle::film::Kind;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 
-/// Errors from top to bottom of the axis.
+/// The ends of the error axis.
 const ERRORS: [f64; 2] = [1e-6, 1.0];
 /// Where the marker of an entry without error is.
 const FLOOR: f64 = 1.5e-6;
@@ -32,7 +32,7 @@ pub struct Panel<'a> {
     /// The width of the part beyond the axis, at the right of the frame.
     pub beyond: i32,
     pub font: i32,
-    /// Whether all entries have labels, or those of the front alone.
+    /// Whether all entries have labels, or planned films and the front alone.
     pub labels_all: bool,
     pub has_error_axis: bool,
 }
@@ -163,7 +163,10 @@ impl Panel<'_> {
 
     fn labels(&self, area: &Area, places: &[(i32, i32)]) -> Result<(), Failure> {
         let front = self.on_front();
-        let labelled = (0..places.len()).filter(|i| self.labels_all || front.contains(i));
+        let labelled = (0..places.len()).filter(|i| {
+            let is_planned = self.summaries[*i].entry.family() == Family::Planned;
+            self.labels_all || is_planned || front.contains(i)
+        });
         let labels: Vec<(usize, String)> =
             labelled.map(|i| (i, label(&self.summaries[i]))).collect();
         let tag = |(i, label): &(usize, String)| Tag {

@@ -27,8 +27,8 @@ pub struct Range {
     pub name: &'static str,
     /// Least and greatest, nm.
     pub nm: [f64; 2],
-    /// Whether stacks of more than one layer take part: nobody coats a mirror with 100 um, and the
-    /// truth would take longer than for all the rest.
+    /// Whether stacks of more than one layer take part: on thick ones the truth, and films compiled
+    /// from it, would take longer than all the rest.
     pub has_mirror: bool,
 }
 
@@ -47,7 +47,7 @@ pub const RANGES: [Range; 4] = [
     Range {
         name: "0 to 3000 nm",
         nm: [0.0, 3000.0],
-        has_mirror: true,
+        has_mirror: false,
     },
     Range {
         name: "3 to 100 um",

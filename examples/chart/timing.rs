@@ -12,7 +12,7 @@ const POINTS: usize = 1 << 11;
 pub const REPETITIONS: usize = 15;
 /// Every repetition has its own points: a processor learns the branches of those that return.
 pub const ALL_POINTS: usize = POINTS * REPETITIONS;
-/// So long the caches are filled, at least, before a repetition.
+/// Caches are filled for at least so long before a repetition.
 const WARM_UP: Duration = Duration::from_micros(500);
 /// A method slower than this, in ns,
 const SLOW_NS: f64 = 2000.0;

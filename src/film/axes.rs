@@ -2,7 +2,7 @@
 
 use crate::math::Real;
 
-/// Maps (cosine, thickness) to the unit square and back. With d the thickness above its least value:
+/// Maps (cosine, thickness) to the unit square, or to as many steps as a table has, and back. With d the thickness above its least value:
 ///
 /// ```text
 /// x = cos (1 + gamma) / (cos + gamma)     gamma = scale (d + least) / (d + half)
@@ -18,11 +18,13 @@ use crate::math::Real;
 /// fewer columns). And it is dense where the film is thin, as fringes fade where paths are long.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Axes<T> {
+    /// The greatest value of x.
+    last: T,
     scale: T,
     least: T,
     half: T,
     upright: [T; 3],
-    /// The least thickness; the fade per nm; 1 + 1 / fade.
+    /// The least thickness; the fade per nm; 1 + 1 / fade, times the greatest value of y.
     from: T,
     fade: T,
     stretch: T,
@@ -53,6 +55,7 @@ impl Axes<f64> {
         let cosine = |u: f64| (1.0 - shape.tilt * (1.0 - u)).sqrt();
         let [a, b, c] = [0.0, 0.5, 1.0].map(cosine);
         Self {
+            last: 1.0,
             scale: shape.scale,
             least: shape.least,
             half: shape.half,
@@ -82,16 +85,17 @@ impl Axes<f64> {
         (cos_theta, self.from + d)
     }
 
-    /// In single precision.
-    pub(super) fn rounded(&self) -> Axes<f32> {
+    /// In single precision, counting so many steps along either coordinate.
+    pub(super) fn rounded(&self, steps: [usize; 2]) -> Axes<f32> {
         Axes {
+            last: steps[0] as f32,
             scale: self.scale as f32,
             least: self.least as f32,
             half: self.half as f32,
             upright: self.upright.map(|c| c as f32),
             from: self.from as f32,
             fade: self.fade as f32,
-            stretch: self.stretch as f32,
+            stretch: (self.stretch * steps[1] as f64) as f32,
         }
     }
 }
@@ -109,7 +113,7 @@ impl<T: Real> Axes<T> {
         let d = thickness_nm - self.from;
         let below = d + self.half;
         let gamma = self.scale * (d + self.least);
-        cos_theta * (below + gamma) / (cos_theta * below + gamma)
+        (cos_theta * self.last) * (below + gamma) / (cos_theta * below + gamma)
     }
 
     /// The second.

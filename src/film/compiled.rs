@@ -2,9 +2,9 @@
 
 use super::FilmDescription;
 use super::plan::{Plan, plan};
-use super::table::{Curve, Table};
+use super::table::{Curve, Lanes, Table};
 use crate::error::{Error, Status};
-use crate::math::{Real, Rgb};
+use crate::math::{Element, Real, Rgb};
 use crate::optics::stack::Side;
 use crate::optics::{Medium, Reference};
 
@@ -107,12 +107,14 @@ impl Film {
         let found = match &self.compiled {
             Compiled::Table(table) => table.at(cos_theta, thickness_nm),
             Compiled::Curve(curve) => curve.at(cos_theta),
-            Compiled::Other(other) => other.reflectance(cos_theta, thickness_nm),
+            Compiled::Other(other) => f32::rgb(other.reflectance(cos_theta, thickness_nm)),
         };
         self.finished(found)
     }
 
-    /// Reflectance and transmittance from either side; all 0 from a base that absorbs.
+    /// Reflectance and transmittance from either side; all 0 from a base that absorbs. From a base
+    /// beside which a half-space disperses it is the reference that answers, which is slow and allocates:
+    /// every wavelength has a critical angle of its own there.
     ///
     /// # Errors
     /// `Unsupported`, if the description does not ask for transmittance.
@@ -128,6 +130,17 @@ impl Film {
         if side == Side::Base && self.description.base.absorbs() {
             return Ok(Colors::default());
         }
+        if side == Side::Base && self.disperses() {
+            let thicknesses = self.description.thicknesses(f64::from(thickness_nm));
+            let found = self
+                .reference
+                .evaluate(side, f64::from(cos_theta), &thicknesses);
+            let finished = |rgb: Rgb<f64>| self.finished(f32::rgb(rgb.map(|x| x as f32)));
+            return Ok(Colors {
+                reflectance: finished(found.reflectance),
+                transmittance: finished(found.transmittance),
+            });
+        }
         // What transmits is compiled for both sides, and called through the trait.
         let Compiled::Other(evaluator) = &self.compiled else {
             return Err(Error::new(
@@ -137,8 +150,8 @@ impl Film {
         };
         let colors = evaluator.colors(side, cos_theta, thickness_nm);
         Ok(Colors {
-            reflectance: self.finished(colors.reflectance),
-            transmittance: self.finished(colors.transmittance),
+            reflectance: self.finished(f32::rgb(colors.reflectance)),
+            transmittance: self.finished(f32::rgb(colors.transmittance)),
         })
     }
 
@@ -168,6 +181,13 @@ impl Film {
             .unpolarized_reflectance()
     }
 
+    /// Whether a half-space disperses: then light from the base has a critical angle for every wavelength,
+    /// and no table.
+    fn disperses(&self) -> bool {
+        let [ambient, base] = self.half_spaces();
+        ambient.constant().is_none() || base.constant().is_none()
+    }
+
     /// The arguments within their ranges; none if one is NaN.
     #[inline(always)]
     fn held(&self, cos_theta: f32, thickness_nm: f32) -> Option<(f32, f32)> {
@@ -178,9 +198,9 @@ impl Film {
     }
 
     #[inline(always)]
-    fn finished(&self, rgb: Rgb<f32>) -> Rgb<f32> {
-        let [min, max] = self.color;
-        rgb.map(|channel| Real::min(Real::max(channel, min), max))
+    fn finished(&self, rgb: Lanes) -> Rgb<f32> {
+        let [min, max] = self.color.map(f32::gray);
+        f32::channels(rgb.max(min).min(max))
     }
 
     /// The ambient medium and the base, for those who refract.

@@ -12,13 +12,15 @@ use crate::optics::stack::Side;
 const LEAST_NODES: usize = 32;
 const MOST_NODES: usize = 1600;
 /// Where the series is compared with the reference: cosines; thicknesses as parts of the range; and
-/// those, nm, between which fringes are many and not yet faded.
-const COSINES: [f64; 6] = [1.0, 0.62, 0.27, 0.085, 0.021, 0.0037];
+/// some, nm, where thin metals resonate and where fringes are many and not yet faded.
+const COSINES: [f64; 7] = [1.0, 0.62, 0.27, 0.085, 0.021, 0.0037, 0.0008];
 const PARTS: [f64; 4] = [1.0, 0.0, 0.37, 0.029];
-const FRINGED_NM: [f64; 6] = [640.0, 1800.0, 3100.0, 4300.0, 7500.0, 12_000.0];
+const SOME_NM: [f64; 9] = [
+    5.3, 24.0, 110.0, 640.0, 1800.0, 3100.0, 4300.0, 7500.0, 12_000.0,
+];
 
-/// The series with the fewest nodes whose error is at most so large where films are hardest, and that
-/// error; if there is none, the best there is.
+/// The series with half as many nodes again as bring the error below this where films are hardest, and
+/// that error; if none does, the best there is.
 pub(super) fn converged(
     description: &FilmDescription,
     reference: &Reference,
@@ -29,7 +31,7 @@ pub(super) fn converged(
         .map_or([0.0; 2], |layer| description.layers[layer].thickness_nm);
     let greatest = greatest.min(least.max(THICK_NM));
     let parts = PARTS.map(|part| least + part * (greatest - least));
-    let mut thicknesses: Vec<f64> = parts.into_iter().chain(FRINGED_NM).collect();
+    let mut thicknesses: Vec<f64> = parts.into_iter().chain(SOME_NM).collect();
     thicknesses.retain(|d| (least..=greatest).contains(d));
     thicknesses.dedup();
     let mut sides = vec![Side::Ambient];
@@ -68,7 +70,10 @@ pub(super) fn converged(
         }
         match best {
             Some((_, max)) if max > tolerance && nodes < MOST_NODES => nodes += nodes / 2,
-            Some(best) => return Ok(best),
+            Some((series, max)) => {
+                let nodes = series.len() + series.len() / 2;
+                return Ok((Series::new(description, nodes)?, max));
+            }
             None => nodes += nodes / 2,
         }
     }

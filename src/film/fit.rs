@@ -4,7 +4,7 @@ use super::axes::{Axes, LEAST_NM, Shape};
 use super::spline::{FARTHEST, LEAST_VALUES};
 use super::table::{Curve, Table, reserve};
 use crate::error::Error;
-use crate::math::Rgb;
+use crate::math::{Element, Rgb};
 
 /// Colours at a cosine and a thickness, exact beside the tolerance. Calls at the same cosine one after
 /// another are cheaper.
@@ -17,6 +17,8 @@ pub(super) struct Task<'a> {
     pub range: [f64; 2],
     /// The square of the ratio of the ambient's index and the layer's.
     pub tilt: f64,
+    /// Whether a cosine of its own for every value is slow.
+    pub is_costly: bool,
     pub limits: Limits,
 }
 
@@ -54,6 +56,10 @@ const EACH: f64 = 0.25;
 const LEADING: f64 = 1.0 / 124.7;
 /// A table whose error is below this part of what is allowed is made smaller.
 const WASTED: f64 = 0.35;
+/// How many cosines are measured besides, and the range that they are in.
+const GRAZING: usize = 24;
+const GREATEST_GRAZING: f64 = 0.2;
+const LEAST_GRAZING: f64 = 1e-5;
 /// How often a table is made larger, or smaller.
 const ATTEMPTS: usize = 8;
 /// Points of the lines along which the axes are chosen.
@@ -172,7 +178,7 @@ pub(super) fn curve(
         for i in 0..count - 1 {
             for t in [FARTHEST, 1.0 - FARTHEST] {
                 let c = at(i as f64 + t);
-                let found = table.at(c as f32).map(f64::from);
+                let found = f32::channels(table.at(c as f32)).map(f64::from);
                 errors.add(found, source(c, 0.0), limits.unclipped);
             }
         }
@@ -189,9 +195,25 @@ pub(super) fn curve(
 
 /// A table over both coordinates; none if the limits cannot be met.
 pub(super) fn table(task: &mut Task<'_>) -> Result<Option<Fitted<Table>>, Error> {
+    let first = if task.is_costly { 2.0 } else { 1.0 };
+    for handicap in [first, 0.2] {
+        let (shape, counts) = shape(task, handicap);
+        let axes = Axes::new(shape, task.range);
+        let fitted = grown(task, &axes, counts)?;
+        if fitted.is_some() {
+            return Ok(fitted);
+        }
+    }
+    Ok(None)
+}
+
+/// A table on these axes, of the size that the limits take; none if they cannot be met.
+fn grown(
+    task: &mut Task<'_>,
+    axes: &Axes<f64>,
+    mut counts: [usize; 2],
+) -> Result<Option<Fitted<Table>>, Error> {
     let limits = task.limits;
-    let (shape, mut counts) = shape(task);
-    let axes = Axes::new(shape, task.range);
     let allowed = FOUND * limits.tolerance;
     let mut held: Option<Fitted<Table>> = None;
     for _ in 0..ATTEMPTS {
@@ -199,7 +221,7 @@ pub(super) fn table(task: &mut Task<'_>) -> Result<Option<Fitted<Table>>, Error>
         if width * height > limits.size {
             break;
         }
-        let (fitted, [across, along]) = filled(task, &axes, counts)?;
+        let (fitted, [across, along]) = filled(task, axes, counts)?;
         let max = fitted.errors.max;
         if max <= allowed {
             // Once smaller, if much too good, and as it was, if that was too small.
@@ -272,45 +294,57 @@ fn between(
     let [least, greatest] = task.range;
     let mut errors = Errors::default();
     let mut worst = (0.0, [0.0; 2]);
-    let mut measure = |i: f64, j: f64, errors: &mut Errors| {
+    let measure = |task: &mut Task<'_>, i: f64, j: f64, errors: &mut Errors| {
         let (c, d) = point(i, j);
         // Thicker films than the range allows are in the table, but are not asked for.
         if d > greatest && point(i, j.floor() - 1.0).1 > greatest {
             return 0.0;
         }
         let d = d.clamp(least, greatest);
-        let found = table.at(c as f32, d as f32).map(f64::from);
+        let found = f32::channels(table.at(c as f32, d as f32)).map(f64::from);
         errors.add(found, (task.source)(c, d), limits.unclipped)
     };
-    // Each interval at one of the four points where the error is greatest, by turns; those at the ends,
-    // where its shape is another, at all of them and in the middle.
+    // Each interval on one of the two sides where the error is greatest, by turns; those at the ends,
+    // where its shape is another, on both and in the middle.
     const SIDES: [f64; 3] = [FARTHEST, 1.0 - FARTHEST, 0.5];
-    let is_end = |i: usize, count: usize| i < 2 || i + 3 >= count;
-    for i in 0..width - 1 {
-        for j in 0..height - 1 {
-            let sides: &[(usize, usize)] = if is_end(i, width) || is_end(j, height) {
-                &[(0, 0), (0, 1), (1, 0), (1, 1), (2, 2)]
-            } else {
-                &[[(0, 0), (1, 0)], [(0, 1), (1, 1)]][j % 2][(i + j) % 2..][..1]
-            };
-            for &(across, along) in sides {
-                let (x, y) = (i as f64 + SIDES[across], j as f64 + SIDES[along]);
-                let error = measure(x, y, &mut errors);
-                if error > worst.0 {
-                    worst = (error, [x, y]);
-                }
+    let sides = |i: usize, count: usize| {
+        let is_end = i < 2 || i + 3 >= count;
+        let sides = if is_end {
+            &SIDES[..]
+        } else {
+            &SIDES[i % 2..][..1]
+        };
+        sides.iter().map(move |side| i as f64 + side)
+    };
+    for x in (0..width - 1).flat_map(|i| sides(i, width)) {
+        for y in (0..height - 1).flat_map(|j| sides(j, height)) {
+            let error = measure(task, x, y, &mut errors);
+            if error > worst.0 {
+                worst = (error, [x, y]);
             }
+        }
+    }
+    // What is narrower than an interval hides at grazing angles.
+    for i in 0..GRAZING {
+        let c =
+            GREATEST_GRAZING * (LEAST_GRAZING / GREATEST_GRAZING).powf(i as f64 / GRAZING as f64);
+        for j in 0..GRAZING / 2 {
+            let part = (0.5 + 0.618_034 * (i + j * GRAZING) as f64).fract();
+            let d = least + part * part * (greatest - least);
+            let found = f32::channels(table.at(c as f32, d as f32)).map(f64::from);
+            errors.add(found, (task.source)(c, d), limits.unclipped);
         }
     }
     let [x, y] = worst.1;
     let mut aside = Errors::default();
-    let across = measure(x, y.round(), &mut aside);
-    let along = measure(x.round(), y, &mut aside);
+    let across = measure(task, x, y.round(), &mut aside);
+    let along = measure(task, x.round(), y, &mut aside);
     (errors, [across, along])
 }
 
-/// The axes with which the fewest values are needed, and how many.
-fn shape(task: &mut Task<'_>) -> (Shape, [usize; 2]) {
+/// The axes with which the fewest values are needed, and how many. Those whose gamma depends on the
+/// thickness must be so many times better.
+fn shape(task: &mut Task<'_>, handicap: f64) -> (Shape, [usize; 2]) {
     let limits = task.limits;
     let [least, greatest] = task.range;
     let extent = greatest - least;
@@ -367,14 +401,19 @@ fn shape(task: &mut Task<'_>) -> (Shape, [usize; 2]) {
                     })
                 });
                 let count = count.fold(0.0, f64::max);
-                // Simpler axes unless they cost more.
-                if best.is_none_or(|(least, _)| count < 0.95 * least) {
-                    best = Some((count, shape));
+                let handicap = if half > 0.0 { handicap } else { 1.0 };
+                if best.is_none_or(|(least, _)| handicap * count < least) {
+                    best = Some((handicap * count, shape));
                 }
             }
         }
     }
     let (width, shape) = best.unwrap_or_default();
+    let width = if shape.least < LEAST_NM {
+        width / handicap
+    } else {
+        width
+    };
     let sizes = [bounded(width, limits.size), bounded(height, limits.size)];
     (shape, sizes)
 }

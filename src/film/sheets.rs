@@ -6,7 +6,7 @@ use super::fit::{self, Errors, Limits, Task};
 use super::series::{Column, Powers, Series};
 use super::table::{Curve, Table};
 use crate::error::Error;
-use crate::math::Rgb;
+use crate::math::{Element, Rgb};
 use crate::optics::stack::Side;
 
 /// The wavelength whose indices decide where total reflection begins and which way fringes lean, nm:
@@ -20,7 +20,7 @@ pub(super) enum Sheet {
     Table(Table),
 }
 
-/// Reflectance and transmittance from both sides.
+/// Reflectance and transmittance from both sides; from the base only if neither half-space disperses.
 ///
 /// Tables are over the cosine in the rarer half-space, in which all of them are smooth; the
 /// transmittance is the same from both sides. Beyond the critical angle, which only the denser side
@@ -52,8 +52,8 @@ impl Sheet {
     #[inline(always)]
     pub(super) fn at(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         match self {
-            Self::Curve(curve) => curve.at(cos_theta),
-            Self::Table(table) => table.at(cos_theta, thickness_nm),
+            Self::Curve(curve) => f32::channels(curve.at(cos_theta)),
+            Self::Table(table) => f32::channels(table.at(cos_theta, thickness_nm)),
         }
     }
 
@@ -109,6 +109,14 @@ impl Sheets {
         } else {
             Side::Base
         };
+        let disperses = [&description.ambient, &description.base]
+            .into_iter()
+            .any(|medium| medium.constant().is_none());
+        // Where every wavelength has a critical angle of its own, colours are not smooth.
+        if disperses && rarer == Side::Base {
+            return Ok(None);
+        }
+        let keeps_base = description.transmittance && !disperses;
         let denser = match rarer {
             Side::Ambient => Side::Base,
             Side::Base => Side::Ambient,
@@ -160,7 +168,7 @@ impl Sheets {
         };
         let (mut back, mut through, mut beyond) = (None, None, None);
         if description.transmittance && absorbs {
-            if !is_opaque {
+            if !is_opaque && keeps_base {
                 back = reflectance(Side::Base)?;
                 if back.is_none() {
                     return Ok(None);
@@ -178,7 +186,7 @@ impl Sheets {
                 return Ok(None);
             }
         }
-        let is_seen = denser == Side::Ambient || description.transmittance;
+        let is_seen = denser == Side::Ambient || keeps_base;
         if !is_lossless && !is_opaque && ratio > 1.0 && is_seen {
             let critical = (1.0 - 1.0 / ratio).sqrt();
             beyond = sheet(
@@ -308,6 +316,7 @@ fn sheet(
         source,
         range: layer.thickness_nm,
         tilt,
+        is_costly: description.layers.len() > 1,
         limits,
     };
     let fitted = fit::table(&mut task)?;

@@ -5,7 +5,8 @@ use super::spline::{controls, weights};
 use crate::error::{Error, Status};
 use crate::math::{Element, Rgb};
 
-type Lanes = <f32 as Element>::Rgb;
+/// Three channels in one register.
+pub(super) type Lanes = <f32 as Element>::Rgb;
 
 /// A control point: three channels and a filler, as one register takes them.
 type Control = [f32; 4];
@@ -20,7 +21,6 @@ const WHOLE: f32 = 8_388_608.0;
 pub(super) struct Curve {
     axes: Axes<f32>,
     points: Box<[Control]>,
-    last: f32,
 }
 
 /// Colours over cosine and thickness.
@@ -32,7 +32,6 @@ pub(super) struct Table {
     /// Rows of equal y, two longer than the values were.
     points: Box<[Control]>,
     row: usize,
-    last: [f32; 2],
 }
 
 #[inline(always)]
@@ -49,21 +48,20 @@ impl Curve {
         let mut points = reserve(fitted.len())?;
         points.extend(fitted.into_iter().map(packed));
         Ok(Self {
-            axes: axes.rounded(),
+            axes: axes.rounded([values.len() - 1, 0]),
             points: points.into(),
-            last: (values.len() - 1) as f32,
         })
     }
 
     /// At a cosine in [0, 1].
     #[inline(always)]
-    pub(super) fn at(&self, cos_theta: f32) -> Rgb<f32> {
-        let position = self.axes.x(cos_theta, 0.0) * self.last;
+    pub(super) fn at(&self, cos_theta: f32) -> Lanes {
+        let position = self.axes.x(cos_theta, 0.0);
         let whole = position + WHOLE;
         let index = (whole.to_bits() & 0x007f_ffff) as usize;
         let [points, ..] = f32::load_block(&self.points, index, 0);
         let w = weights(f32::gray(position - (whole - WHOLE)));
-        f32::channels(weighted(points, w))
+        weighted(points, w)
     }
 
     pub(super) fn bytes(&self) -> usize {
@@ -101,25 +99,24 @@ impl Table {
             }
         }
         Ok(Self {
-            axes: axes.rounded(),
+            axes: axes.rounded([width - 1, height - 1]),
             points: points.into(),
             row,
-            last: [(width - 1) as f32, (height - 1) as f32],
         })
     }
 
     /// At a cosine in [0, 1] and a thickness within the range.
     #[inline(always)]
-    pub(super) fn at(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
-        let x = self.axes.x(cos_theta, thickness_nm) * self.last[0];
-        let y = self.axes.y(cos_theta, thickness_nm) * self.last[1];
+    pub(super) fn at(&self, cos_theta: f32, thickness_nm: f32) -> Lanes {
+        let x = self.axes.x(cos_theta, thickness_nm);
+        let y = self.axes.y(cos_theta, thickness_nm);
         let whole = [x, y].map(|position| position + WHOLE);
         let [i, j] = whole.map(|whole| (whole.to_bits() & 0x007f_ffff) as usize);
         let across = weights(f32::gray(x - (whole[0] - WHOLE)));
         let along = weights(f32::gray(y - (whole[1] - WHOLE)));
         let rows = f32::load_block(&self.points, j * self.row + i, self.row);
         let sums = rows.map(|row| weighted(row, across));
-        f32::channels(weighted(sums, along))
+        weighted(sums, along)
     }
 
     pub(super) fn bytes(&self) -> usize {

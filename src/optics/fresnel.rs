@@ -39,3 +39,75 @@ pub fn dielectric_reflectance<T: Real>(cos_theta: T, eta: T) -> T {
     let reflectance = T::select(q_squared.le(zero), one, reflectance);
     T::select(is_matched, zero, reflectance)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ETAS: [f64; 7] = [0.4, 1.0 / 1.5, 0.99, 1.01, 1.33, 1.5, 4.0];
+
+    /// Textbook values: ((eta - 1) / (eta + 1))^2 at normal incidence; at Brewster's angle, tan = eta,
+    /// only s is reflected, with the amplitude (1 - eta^2) / (1 + eta^2); everything at grazing angles.
+    #[test]
+    fn dielectric_reflectance_has_textbook_values() {
+        for eta in ETAS {
+            let normal = ((eta - 1.0) / (eta + 1.0)).powi(2);
+            assert!((dielectric_reflectance(1.0, eta) - normal).abs() < 1e-15);
+            assert!((normal_reflectance(1.0, eta) - normal).abs() < 1e-15);
+            let brewster = (1.0 + eta * eta).sqrt().recip();
+            let s = (1.0 - eta * eta) / (1.0 + eta * eta);
+            let found = dielectric_reflectance(brewster, eta);
+            assert!((found - 0.5 * s * s).abs() < 1e-14, "{eta} {found}");
+            assert_eq!(dielectric_reflectance(0.0, eta), 1.0);
+        }
+        // Glass at 60 degrees: rs = -0.4202, rp = -0.0424, from Snell's law and a table of cosines.
+        assert!((dielectric_reflectance(0.5, 1.5f64) - 0.089_18).abs() < 1e-4);
+    }
+
+    /// From the denser side all light returns beyond the critical angle, sin = eta, and only there.
+    #[test]
+    fn total_reflection_begins_at_the_critical_angle() {
+        for eta in ETAS.into_iter().filter(|eta| *eta < 1.0) {
+            let critical = (1.0 - eta * eta).sqrt();
+            for part in [0.0, 0.3, 0.9, 1.0 - 1e-9] {
+                assert_eq!(dielectric_reflectance(critical * part, eta), 1.0);
+            }
+            let single = dielectric_reflectance(0.999 * critical as f32, eta as f32);
+            assert_eq!(single, 1.0);
+            // It falls like a square root from there.
+            let found = dielectric_reflectance(critical * (1.0 + 1e-8), eta);
+            assert!(found < 1.0 && found > 0.99, "{eta} {found}");
+        }
+    }
+
+    /// Equal indices reflect nothing, even along the surface, where the amplitudes are 0 / 0.
+    #[test]
+    fn equal_indices_reflect_nothing() {
+        for c in [0.0, f64::MIN_POSITIVE, 1e-200, 1e-9, 0.5, 1.0] {
+            assert_eq!(dielectric_reflectance(c, 1.0), 0.0, "{c}");
+            assert_eq!(dielectric_reflectance(c as f32, 1.0f32), 0.0, "{c}");
+        }
+    }
+
+    /// Single precision keeps its digits: neither indices close to 1 nor grazing angles cancel.
+    #[test]
+    fn single_precision_is_close_to_double() {
+        for eta in ETAS.map(|eta| eta as f32) {
+            for i in 0..=1000u16 {
+                let c = (f32::from(i) / 1000.0).powi(2);
+                let single = dielectric_reflectance(c, eta);
+                let double = dielectric_reflectance(f64::from(c), f64::from(eta));
+                // Near the critical angle rounding of the cosine itself is magnified.
+                let gap = (f64::from(c).powi(2) + f64::from(eta).powi(2) - 1.0).abs();
+                let allowed = 1e-6
+                    + if eta < 1.0 {
+                        1e-6 / gap.sqrt().max(1e-3)
+                    } else {
+                        0.0
+                    };
+                let error = (f64::from(single) - double).abs();
+                assert!(error <= allowed, "{eta} {c}: {single} {double}");
+            }
+        }
+    }
+}

@@ -1,0 +1,4 @@
+#pragma once
+
+// Times the films and prints their table; returns whether they keep their tolerance.
+bool bench_films();
