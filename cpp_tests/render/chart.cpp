@@ -14,7 +14,7 @@ constexpr int left = 34, right = 22, top = 8, bottom = 24, fontSize = 13;
 constexpr float background[3] = {0.085f, 0.085f, 0.09f}, ink[3] = {0.75f, 0.75f, 0.75f};
 
 std::string captionOf(const Stack &stack) {
-    char brightness[32] = "as bright as a mirror is white";
+    char brightness[32] = "at its own brightness";
     if (stack.chartExposure != 0)
         std::snprintf(brightness, sizeof brightness, "shown %.3g times as bright",
                       std::exp2(stack.chartExposure));

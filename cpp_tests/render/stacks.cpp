@@ -18,17 +18,17 @@ const Stack &anodisedTitanium() {
 }
 
 const Stack &temperedSteel() {
-    static const Stack stack{"steel", "Fe3O4 on iron", "Fe3O4", "Fe", 0.5f};
+    static const Stack stack{"steel", "Fe3O4 on iron", "Fe3O4", "Fe", 0};
     return stack;
 }
 
 const Stack &coatedGlass() {
-    static const Stack stack{"glass", "MgF2 on glass", "MgF2", "BK7", 3.5f};
+    static const Stack stack{"glass", "MgF2 on glass", "MgF2", "BK7", 3};
     return stack;
 }
 
 const Stack &oxidisedSilicon() {
-    static const Stack stack{"silicon", "SiO2 on silicon", "SiO2", "Si", 0.5f};
+    static const Stack stack{"silicon", "SiO2 on silicon", "SiO2", "Si", 1};
     return stack;
 }
 

@@ -19,7 +19,7 @@ TEST_CASE("a chart's pixels are the film's reflectance") {
     const OIIO::ImageBuf chart = reflectanceChart(oxidisedSilicon(), width, height);
     const pellicle::Film film = oxidisedSilicon().film(chartThickness).create();
     // 50 nm and 5 degrees to a pixel. The first column is at 25 nm, the lowest row at 2.5 degrees.
-    for (const V2i pixel : {V2i(0, 17), V2i(5, 17), V2i(29, 0), V2i(12, 9)}) {
+    for (const V2i &pixel : {V2i(0, 17), V2i(5, 17), V2i(29, 0), V2i(12, 9)}) {
         const float thickness = 25.0f + 50.0f * static_cast<float>(pixel.x);
         const float angle = 2.5f + 5.0f * static_cast<float>(height - 1 - pixel.y);
         const auto expected = film.reflectance(std::cos(radians(angle)), thickness);

@@ -54,6 +54,8 @@ TEST_CASE("--list names the scenes") {
     CHECK(result.exitCode == 0);
     CHECK(result.output.find("fig2-old-metal") != std::string::npos);
     CHECK(result.output.find("fig5-thick") != std::string::npos);
+    CHECK(result.output.find("titanium") != std::string::npos);
+    CHECK(result.output.find("newton-soap") != std::string::npos);
 }
 
 TEST_CASE("what cannot be done is refused in one line") {
@@ -98,6 +100,20 @@ TEST_CASE("pictures do not depend on the number of threads, but do on the seed")
     const std::string one = renderTo("one", "--seed 7 --threads 1");
     CHECK(sameExr(one, renderTo("two", "--seed 7 --threads 2")));
     CHECK_FALSE(sameExr(one, renderTo("other", "--seed 8 --threads 2")));
+}
+
+TEST_CASE("films and their charts are rendered like the figures") {
+    const TemporaryDirectory directory;
+    const std::string out = (directory / "out");
+    const Result result = run("--scene soap --scene newton-soap --scene titanium --size 32 --spp 1 --out " + out,
+                              "2>/dev/null");
+    CHECK(result.exitCode == 0);
+    CHECK(result.output.rfind("5 pictures", 0) == 0);
+    for (const char *file : {"soap.bubble", "soap.frame", "titanium.sphere", "titanium.bunny", "newton-soap"}) {
+        CHECK(fs::exists(fs::path(out) / (std::string(file) + ".png")));
+        CHECK(fs::exists(fs::path(out) / (std::string(file) + ".exr")));
+    }
+    CHECK(fs::exists(fs::path(out) / "gallery.png"));
 }
 
 TEST_CASE("any mesh and environment will do") {

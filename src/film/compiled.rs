@@ -13,7 +13,8 @@ use crate::optics::{Medium, Reference};
 /// `cos_theta` is the cosine of incidence on the side that the light comes from, held in \[0, 1\];
 /// `thickness_nm` that of the layer that varies, held in its range, and ignored if none does. NaN in
 /// either gives 0. Colours are linear, normalised so that a perfect mirror is (1, 1, 1), and clipped
-/// to \[0, 1\] unless the description says `unclipped`.
+/// to \[0, 1\] unless the description says `unclipped`. Films thinner than 0.001 nm at cosines below 1e-4 are
+/// not held to the tolerance: there a soap film turns from nothing into a mirror.
 pub struct Film {
     description: FilmDescription,
     compiled: Compiled,

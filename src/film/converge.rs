@@ -15,6 +15,8 @@ const MOST_NODES: usize = 1600;
 /// some, nm, where thin metals resonate and where fringes are many and not yet faded.
 const COSINES: [f64; 7] = [1.0, 0.62, 0.27, 0.085, 0.021, 0.0037, 0.0008];
 const PARTS: [f64; 4] = [1.0, 0.0, 0.37, 0.029];
+/// And the wavelengths whose critical angles are among the angles.
+const CRITICAL_NM: [f64; 3] = [430.0, 550.0, 680.0];
 const SOME_NM: [f64; 9] = [
     5.3, 24.0, 110.0, 640.0, 1800.0, 3100.0, 4300.0, 7500.0, 12_000.0,
 ];
@@ -39,11 +41,12 @@ pub(super) fn converged(
         sides.push(Side::Base);
     }
     let mut points = Vec::new();
-    for cos_theta in COSINES {
-        for &thickness in &thicknesses {
-            for &side in &sides {
-                points.push((side, cos_theta, thickness));
-            }
+    for side in sides {
+        let cosines = COSINES
+            .into_iter()
+            .chain(critical_cosines(description, side));
+        for cos_theta in cosines {
+            points.extend(thicknesses.iter().map(|&d| (side, cos_theta, d)));
         }
     }
     let truth: Vec<_> = points
@@ -77,4 +80,27 @@ pub(super) fn converged(
             None => nodes += nodes / 2,
         }
     }
+}
+
+/// The cosines at which light from a side begins to go along a layer or the far half-space whose index
+/// disperses, at some wavelengths: there the spectrum has a root in it.
+pub(super) fn critical_cosines(description: &FilmDescription, side: Side) -> Vec<f64> {
+    let (near, far) = match side {
+        Side::Ambient => (&description.ambient, &description.base),
+        Side::Base => (&description.base, &description.ambient),
+    };
+    let layers = description.layers.iter().map(|layer| &layer.medium);
+    let mut cosines = Vec::new();
+    for medium in layers.chain(std::iter::once(far)) {
+        if medium.constant().is_some() && near.constant().is_some() {
+            continue;
+        }
+        for wavelength_nm in CRITICAL_NM {
+            let ratio = medium.index(wavelength_nm).re / near.index(wavelength_nm).re;
+            if ratio < 1.0 {
+                cosines.push((1.0 - ratio * ratio).sqrt());
+            }
+        }
+    }
+    cosines
 }

@@ -51,11 +51,11 @@ pub(super) struct Errors {
 /// are as many as the table's own, not all there are.
 const FOUND: f64 = 0.5;
 /// The part that each coordinate is meant to have.
-const EACH: f64 = 0.25;
+const EACH: f64 = 0.33;
 /// The error of a quadratic spline in an interval h is h^3 f''' times max |t^3 - t / 4| / 6 = 1 / 124.7.
 const LEADING: f64 = 1.0 / 124.7;
 /// A table whose error is below this part of what is allowed is made smaller.
-const WASTED: f64 = 0.35;
+const WASTED: f64 = 0.3;
 /// How many cosines are measured besides, and the range that they are in.
 const GRAZING: usize = 24;
 const GREATEST_GRAZING: f64 = 0.2;

@@ -2,7 +2,7 @@
 
 use super::candidate::Candidate;
 use super::compiled::{Compiled, Evaluator};
-use super::converge::converged;
+use super::converge::{converged, critical_cosines};
 use super::direct::{FresnelBase, OneLayerMethod, ReferenceMethod, SchlickBase, SeriesMethod};
 use super::fit::{Errors, Limits};
 use super::series::Series;
@@ -38,7 +38,7 @@ const MOST_VALUES: usize = 1 << 17;
 const FILLING: f64 = 0.1;
 /// The part of the tolerance that a method's error may have at the points where it is measured.
 const MEASURED: f64 = 0.4;
-/// How many points those are, if the series is the truth, and if the reference is.
+/// How many points those are, if the series is the truth for a thickness that varies, and else.
 const POINTS: usize = 500;
 const SLOW_POINTS: usize = 120;
 /// Tolerances from here on are always held: by the reference, if nothing else does.
@@ -274,8 +274,16 @@ impl Workshop<'_> {
     fn truth(&self) -> &[(f64, f64, Rgb<f64>)] {
         self.truth.get_or_init(|| {
             let is_fast = self.series_error <= FILLING * self.limits.tolerance;
-            let count = if is_fast { POINTS } else { SLOW_POINTS };
-            let points = self.points(count).map(|(_, c, d)| {
+            let varies = self.description.varying().is_some();
+            let count = if is_fast && varies {
+                POINTS
+            } else {
+                SLOW_POINTS
+            };
+            let points = self
+                .points(count)
+                .filter(|point| point.0 == Side::Ambient || !is_fast);
+            let points = points.map(|(_, c, d)| {
                 let found = if is_fast {
                     self.series.at(Side::Ambient, c, d).reflectance
                 } else {
@@ -291,24 +299,48 @@ impl Workshop<'_> {
 
     /// Points over cosine and thickness: a third evenly, a third towards grazing angles, a third towards
     /// both grazing angles and thin films, by the R2 sequence (Roberts 2018). From both sides by turns,
-    /// if both are asked for.
+    /// if both are asked for. And about critical angles.
     fn points(&self, count: usize) -> impl Iterator<Item = (Side, f64, f64)> {
         let [least, greatest] = self.description.varying().map_or([0.0; 2], |layer| {
             self.description.layers[layer].thickness_nm
         });
         let is_two_sided = self.description.transmittance && !self.description.base.absorbs();
-        (0..count).map(move |i| {
-            let fraction = |step: f64| (0.5 + step * i as f64).fract();
-            let (u, v) = (fraction(0.754_877_666), fraction(0.569_840_291));
-            let cos_theta = if i % 3 == 0 { u } else { u.powi(3).max(1e-4) };
-            let part = if i % 3 == 2 { v.powi(3) } else { v };
-            let greatest = greatest.min(least.max(THICK_NM));
-            let side = if is_two_sided && i % 2 == 1 {
-                Side::Base
-            } else {
-                Side::Ambient
-            };
-            (side, cos_theta, least + part * (greatest - least))
-        })
+        let critical = critical_points(self.description, least, greatest.min(least.max(THICK_NM)));
+        (0..count)
+            .map(move |i| {
+                let fraction = |step: f64| (0.5 + step * i as f64).fract();
+                let (u, v) = (fraction(0.754_877_666), fraction(0.569_840_291));
+                let cos_theta = if i % 3 == 0 { u } else { u.powi(3).max(1e-4) };
+                let part = if i % 3 == 2 { v.powi(3) } else { v };
+                let greatest = greatest.min(least.max(THICK_NM));
+                let side = if is_two_sided && i % 2 == 1 {
+                    Side::Base
+                } else {
+                    Side::Ambient
+                };
+                (side, cos_theta, least + part * (greatest - least))
+            })
+            .chain(critical)
     }
+}
+
+/// Points about the cosines where the spectrum has a root in it.
+fn critical_points(
+    description: &FilmDescription,
+    least: f64,
+    greatest: f64,
+) -> Vec<(Side, f64, f64)> {
+    let mut points = Vec::new();
+    let base = (description.transmittance && !description.base.absorbs()).then_some(Side::Base);
+    for side in std::iter::once(Side::Ambient).chain(base) {
+        for cosine in critical_cosines(description, side) {
+            for step in [-0.004, -0.001, 0.0, 0.001, 0.004] {
+                for part in [0.07, 0.5, 1.0] {
+                    let thickness = least + part * (greatest - least);
+                    points.push((side, (cosine + step).clamp(0.0, 1.0), thickness));
+                }
+            }
+        }
+    }
+    points
 }

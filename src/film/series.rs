@@ -15,6 +15,8 @@ const MOST_POWER: f64 = 4.0;
 const CRITICAL: f64 = 1e-30;
 /// e to this counts as 0.
 const FAINT: f64 = -25.0;
+/// The greatest ratio of a medium's group index and its index.
+const MOST_GROUP: f64 = 1.7;
 /// Cosines below this are taken for it: there a film either mirrors, or nothing is there.
 const LEAST_COSINE: f64 = 1e-9;
 
@@ -109,8 +111,8 @@ struct Damped {
     incoherent: f64,
     through: f64,
     is_resonant: bool,
-    /// |g|^M.
-    last: f64,
+    /// ln |g|.
+    ln_g: f64,
     turn: f64,
 }
 
@@ -119,6 +121,8 @@ struct Damped {
 pub(super) struct Column<'a> {
     series: &'a Series,
     terms: Vec<[Terms; 2]>,
+    /// What they are where the summed layer does not absorb.
+    undamped: Vec<[Damped; 2]>,
     /// q of the summed layer times 2 sigma: turns per nm, and the damping's exponent.
     rounds: Vec<Complex<f64>>,
     /// [`Series::path`].
@@ -195,7 +199,7 @@ impl Series {
         for (node, indices) in self.nodes.iter().zip(self.indices.chunks(media)) {
             let (terms, round) = self.terms(side, cos_theta, node, indices);
             let damping = -2.0 * PI * round.im * thickness_nm;
-            let damped = terms.map(|terms| terms.damped(damping, order));
+            let damped = terms.map(|terms| terms.damped(damping));
             powers.add(node, &damped, round.re * thickness_nm, order);
         }
         powers
@@ -207,7 +211,17 @@ impl Series {
     fn path(&self, round: impl Fn(usize) -> Complex<f64>) -> f64 {
         let last = self.nodes.len() - 1;
         let spacing = self.nodes[1].sigma - self.nodes[0].sigma;
-        let between = |node: usize| (round(node + 1).re - round(node).re).abs() / spacing;
+        // Where the wave begins to travel along the layer within the spectrum, its phase has a root there
+        // and no path.
+        let most = self.summed.map_or(0.0, |layer| {
+            let media = self.ranges.len() + 2;
+            let indices = self.indices.iter().skip(layer + 1).step_by(media);
+            MOST_GROUP * indices.map(|index| index.re).fold(0.0, f64::max)
+        });
+        let between = |node: usize| {
+            let path = (round(node + 1).re - round(node).re).abs() / spacing;
+            path.min(2.0 * most)
+        };
         between(0).max(between(last / 2)).max(between(last - 1))
     }
 
@@ -248,8 +262,10 @@ impl Series {
                 break;
             }
         }
+        let undamped = terms.iter().map(|terms| terms.map(|t| t.damped(0.0)));
         Column {
             series: self,
+            undamped: undamped.collect(),
             terms,
             path: self.path(|node| rounds[node]),
             rounds,
@@ -351,31 +367,36 @@ impl Column<'_> {
         let thickness_nm = self.series.fixed_nm.unwrap_or(thickness_nm);
         let mut powers = Powers::default();
         let order = self.series.order(self.path * thickness_nm);
-        let is_shared = self.terms.len() == 1 && self.rounds[0].im == 0.0;
-        let mut damped = self.terms[0].map(|terms| terms.damped(0.0, order));
         for (i, (node, round)) in self.series.nodes.iter().zip(&self.rounds).enumerate() {
-            if !is_shared {
+            let turns = round.re * thickness_nm;
+            if round.im > 0.0 {
                 let damping = -2.0 * PI * round.im * thickness_nm;
                 let terms = self.terms.get(i).unwrap_or(&self.terms[0]);
-                damped = terms.map(|terms| terms.damped(damping, order));
+                powers.add(
+                    node,
+                    &terms.map(|terms| terms.damped(damping)),
+                    turns,
+                    order,
+                );
+            } else {
+                let damped = self.undamped.get(i).unwrap_or(&self.undamped[0]);
+                powers.add(node, damped, turns, order);
             }
-            powers.add(node, &damped, round.re * thickness_nm, order);
         }
         powers
     }
 }
 
 impl Terms {
-    /// With the amplitude's damping on a round trip, the exponent of e, and the last harmonic.
+    /// With the amplitude's damping on a round trip, the exponent of e.
     #[inline(always)]
-    fn damped(&self, damping: f64, order: Order) -> Damped {
+    fn damped(&self, damping: f64) -> Damped {
         let decay = if damping < 0.0 { damping.exp() } else { 1.0 };
         let (g, h) = (self.g.scaled(decay), self.h.scaled(decay));
         let loss = 1.0 - self.g_squared * decay * decay;
         let is_resonant = loss < RESONANT || h.norm_squared() > MOST_POWER * loss;
         let inverse = if is_resonant { 1.0 } else { 1.0 / loss };
         let pairs = h.norm_squared() * inverse;
-        let exponent = order.whole * (self.ln_g + damping);
         Damped {
             g,
             h,
@@ -384,11 +405,7 @@ impl Terms {
             incoherent: self.top_squared + pairs,
             through: self.through * decay * inverse,
             is_resonant,
-            last: if exponent > FAINT {
-                exponent.exp()
-            } else {
-                0.0
-            },
+            ln_g: self.ln_g + damping,
             turn: self.turn,
         }
     }
@@ -406,9 +423,10 @@ impl Damped {
             return (r, self.through * inverse.norm_squared());
         }
         let mut sum = z * denominator.inverse();
-        if self.last > 0.0 {
-            let Order { whole, part } = order;
-            let power = circle(whole * (self.turn + turns)).scaled(self.last);
+        let Order { whole, part } = order;
+        let last = whole * self.ln_g;
+        if last > FAINT {
+            let power = circle(whole * (self.turn + turns)).scaled(last.exp());
             let power = power * Complex::new(1.0 - part - part * gz.re, -(part * gz.im));
             sum = sum * Complex::new(1.0 - power.re, -power.im);
         }
@@ -504,154 +522,4 @@ fn safe_inverse(z: Complex<f64>) -> Complex<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::optics::{Medium, Reference};
-
-    const NODES: usize = 96;
-
-    fn medium(eta: f64, k: f64) -> Medium {
-        Medium::rgb([eta; 3], [k; 3]).unwrap()
-    }
-
-    fn named(name: &str) -> Medium {
-        Medium::named(name).unwrap()
-    }
-
-    fn one_layer(film: Medium, base: Medium) -> FilmDescription {
-        FilmDescription::new(base).layer(film, [0.0, 1e6])
-    }
-
-    /// Soap; a metal base; dispersion on a metal; five layers, of which two absorb.
-    fn films() -> [(&'static str, FilmDescription); 4] {
-        let mixed = FilmDescription::new(named("BK7"))
-            .layer(named("MgF2"), [100.0; 2])
-            .layer(medium(1.7, 0.02), [150.0; 2])
-            .layer(named("TiO2"), [0.0, 1e6])
-            .layer(named("Au"), [15.0; 2])
-            .layer(medium(1.45, 0.0), [80.0; 2]);
-        [
-            ("soap", one_layer(medium(1.33, 0.0), medium(1.0, 0.0))),
-            ("metal", one_layer(medium(1.5, 0.0), medium(1.5, 3.0))),
-            ("TiO2 on Ti", one_layer(named("TiO2"), named("Ti"))),
-            ("five layers", mixed),
-        ]
-    }
-
-    /// The greatest difference of a channel of R or T.
-    fn difference(a: Powers, b: Powers) -> f64 {
-        let channels = |p: Powers| p.reflectance.into_iter().chain(p.transmittance);
-        let pairs = channels(a).zip(channels(b));
-        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-    }
-
-    fn sides(description: &FilmDescription) -> &'static [Side] {
-        if description.base.absorbs() {
-            &[Side::Ambient]
-        } else {
-            &[Side::Ambient, Side::Base]
-        }
-    }
-
-    #[test]
-    fn circle_is_sine_and_cosine() {
-        for i in -4000..4000 {
-            let turns = f64::from(i) * 0.00713;
-            let (sin, cos) = (2.0 * PI * turns).sin_cos();
-            let z = circle(turns);
-            assert!(
-                (z.re - cos).abs() < 1e-10 && (z.im - sin).abs() < 1e-10,
-                "{turns}"
-            );
-        }
-    }
-
-    /// Against a wrong term, side or layer order, at all angles and thicknesses; and against a column
-    /// that is not what the series is there.
-    #[test]
-    fn agrees_with_the_reference_and_with_its_columns() {
-        for (name, description) in films() {
-            let layers = description.layers.iter().map(|layer| layer.medium.clone());
-            let (ambient, base) = (description.ambient.clone(), description.base.clone());
-            let (white, space) = (description.white, description.color_space);
-            let reference = Reference::new(ambient, layers.collect(), base, white, space).unwrap();
-            let series = Series::new(&description, NODES).unwrap();
-            for &side in sides(&description) {
-                for c in [1.0, 0.6, 0.2, 0.03, 2e-3] {
-                    let column = series.column(side, c);
-                    for d in [0.0, 6.0, 300.0, 1000.0, 8000.0, 60_000.0] {
-                        let found = series.at(side, c, d);
-                        let truth = reference.evaluate(side, c, &description.thicknesses(d));
-                        let truth = Powers {
-                            reflectance: truth.reflectance,
-                            transmittance: truth.transmittance,
-                        };
-                        let error = difference(found, truth);
-                        assert!(error < 1e-4, "{name} {side:?} {c} {d}: {error:e}");
-                        let error = difference(found, column.at(d));
-                        assert!(error < 1e-12, "{name} {side:?} {c} {d}: column {error:e}");
-                    }
-                }
-            }
-        }
-    }
-
-    /// Against a jump where one harmonic more is summed, or where a part of one begins or ends.
-    #[test]
-    fn is_continuous_where_harmonics_end() {
-        const STEP: f64 = 1e-7;
-        for (name, description) in films() {
-            let series = Series::new(&description, NODES).unwrap();
-            for c in [1.0, 0.3, 0.02] {
-                let column = series.column(Side::Ambient, c);
-                let greatest = series.longest_path / column.path;
-                for last in [1.0, 2.0, 3.0, 5.0, 17.0, 200.0] {
-                    // Where it ends, and where the part of the next one begins and peaks.
-                    for part in [1.0, 1.25, 1.25 - 0.1 / last] {
-                        let d = greatest * part / last;
-                        let [before, after] =
-                            [1.0 - STEP, 1.0 + STEP].map(|factor| column.at(d * factor));
-                        // Each harmonic, m fringes for one, changes that much faster.
-                        let turns = 2.0 * STEP * d / 380.0 * 5.0;
-                        let allowed = 2.0 * PI * turns * last;
-                        let change = difference(before, after);
-                        assert!(change <= allowed, "{name} {c} {last} {part}: {change:e}");
-                    }
-                }
-            }
-        }
-    }
-
-    /// Without fringes a lossless film reflects what all beams do whose powers add up:
-    /// R = R01 + (1 - R01)^2 R12 / (1 - R01 R12).
-    #[test]
-    fn a_thick_film_is_incoherent() {
-        // Powers that a boundary reflects, s and p, by Snell's law.
-        let boundary = |n0: f64, n1: f64, sin: f64| {
-            let [c0, c1] = [n0, n1].map(|n| (1.0 - (sin / n).powi(2)).sqrt());
-            let s: f64 = (n0 * c0 - n1 * c1) / (n0 * c0 + n1 * c1);
-            let p: f64 = (n1 * c0 - n0 * c1) / (n1 * c0 + n0 * c1);
-            [s * s, p * p]
-        };
-        for (film, base) in [(1.33, 1.0), (1.38, 1.52), (2.4, 1.5), (1.5, 1.5)] {
-            let description = one_layer(medium(film, 0.0), medium(base, 0.0));
-            let series = Series::new(&description, NODES).unwrap();
-            for c in [1.0f64, 0.5, 0.1, 0.01] {
-                let sin = (1.0 - c * c).sqrt();
-                let (above, below) = (boundary(1.0, film, sin), boundary(film, base, sin));
-                let r: f64 = (0..2)
-                    .map(|pol| {
-                        let (a, b) = (above[pol], below[pol]);
-                        0.5 * (a + (1.0 - a).powi(2) * b / (1.0 - a * b))
-                    })
-                    .sum();
-                let expected = Powers {
-                    reflectance: [r; 3],
-                    transmittance: [1.0 - r; 3],
-                };
-                let error = difference(series.at(Side::Ambient, c, 1e6), expected);
-                assert!(error < 1e-9, "{film} {base} {c}: {error:e}");
-            }
-        }
-    }
-}
+mod tests;
