@@ -157,9 +157,9 @@ TEST_CASE("a soap film is black where it is thinnest") {
     }
 }
 
-// "The film appears black or gray where it is thinnest; as it becomes thicker, white, then yellow,
-// orange, red, violet, blue, green, yellow, orange-red, violet, and so on": K. Nassau, "Colour",
-// Encyclopaedia Britannica. Where each begins follows from the film's index.
+// The order with growing thickness: black, white, then yellow, orange, red, violet, blue, green, and
+// yellow, orange-red, violet once more (K. Nassau, "Colour", Encyclopaedia Britannica). Where each
+// begins follows from the film's index.
 TEST_CASE("a soap film shows Newton's colours in their order") {
     const Patch patch(soap(), 800);
     const Perceived white = patch.perceivedAt(100);
