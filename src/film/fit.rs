@@ -78,6 +78,8 @@ impl Errors {
         let mut worst = 0.0f64;
         for c in 0..3 {
             let error = (seen(found[c]) - seen(expected[c])).abs();
+            // Which max() would leave out.
+            let error = if error.is_nan() { f64::INFINITY } else { error };
             self.squares += error * error;
             worst = worst.max(error);
         }

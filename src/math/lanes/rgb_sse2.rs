@@ -50,7 +50,7 @@ impl Element for f32 {
         let start = table.as_ptr();
         std::array::from_fn(|row| {
             std::array::from_fn(|entry| {
-                // SAFETY: at most `last`, which is within the table; any alignment will do.
+                // SAFETY: at most from + 2 stride + 2, which is in the table; any alignment will do.
                 RgbLanes(unsafe { _mm_loadu_ps(start.add(from + row * stride + entry).cast()) })
             })
         })
