@@ -39,14 +39,33 @@ pub(super) enum Compiled {
     Table(Table),
     Curve(Curve),
     Other(Box<dyn Evaluator>),
+    /// The film's own, at every call.
+    Reference,
 }
 
 /// A compiled method. Arguments are within their ranges and not NaN; results are not clipped.
 pub(super) trait Evaluator: Send + Sync {
     /// From the ambient's side.
     fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32>;
-    /// From either side; called only if the description asks for transmittance.
-    fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors;
+    /// From either side; called only if the description asks for transmittance, for which none is chosen
+    /// that knows reflectance alone.
+    fn colors(&self, _side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        Colors {
+            reflectance: self.reflectance(cos_theta, thickness_nm),
+            transmittance: [0.0; 3],
+        }
+    }
+}
+
+impl Colors {
+    pub(super) fn rounded(reflectance: Rgb<f64>, transmittance: Rgb<f64>) -> Self {
+        let [reflectance, transmittance] =
+            [reflectance, transmittance].map(|rgb| rgb.map(|x| x as f32));
+        Self {
+            reflectance,
+            transmittance,
+        }
+    }
 }
 
 impl Film {
@@ -66,8 +85,6 @@ impl Film {
             description.color_space,
         )?;
         let (compiled, plan) = plan(description, &reference)?;
-        let varying = description.varying();
-        let range = varying.map_or([0.0; 2], |layer| description.layers[layer].thickness_nm);
         let color = if description.unclipped {
             [f32::NEG_INFINITY, f32::INFINITY]
         } else {
@@ -77,7 +94,7 @@ impl Film {
             description: description.clone(),
             compiled,
             plan,
-            thickness_nm: range.map(|x| x as f32),
+            thickness_nm: description.varying_range().map(|x| x as f32),
             color,
             reference,
         })
@@ -95,8 +112,8 @@ impl Film {
 
     /// The range of the thickness that varies, nm, if one does.
     pub fn varying_thickness_nm(&self) -> Option<[f64; 2]> {
-        let varying = self.description.varying()?;
-        Some(self.description.layers[varying].thickness_nm)
+        self.description.varying()?;
+        Some(self.description.varying_range())
     }
 
     /// Reflectance from the ambient's side.
@@ -109,6 +126,10 @@ impl Film {
             Compiled::Table(table) => table.at(cos_theta, thickness_nm),
             Compiled::Curve(curve) => curve.at(cos_theta),
             Compiled::Other(other) => f32::rgb(other.reflectance(cos_theta, thickness_nm)),
+            Compiled::Reference => f32::rgb(
+                self.converged(Side::Ambient, cos_theta, thickness_nm)
+                    .reflectance,
+            ),
         };
         self.finished(found)
     }
@@ -131,25 +152,19 @@ impl Film {
         if side == Side::Base && self.description.base.absorbs() {
             return Ok(Colors::default());
         }
-        if side == Side::Base && self.disperses() {
-            let thicknesses = self.description.thicknesses(f64::from(thickness_nm));
-            let found = self
-                .reference
-                .evaluate(side, f64::from(cos_theta), &thicknesses);
-            let finished = |rgb: Rgb<f64>| self.finished(f32::rgb(rgb.map(|x| x as f32)));
-            return Ok(Colors {
-                reflectance: finished(found.reflectance),
-                transmittance: finished(found.transmittance),
-            });
-        }
-        // What transmits is compiled for both sides, and called through the trait.
-        let Compiled::Other(evaluator) = &self.compiled else {
-            return Err(Error::new(
-                Status::Internal,
-                "a film with transmittance was compiled for one side",
-            ));
+        let colors = match &self.compiled {
+            _ if side == Side::Base && self.description.disperses() => {
+                self.converged(side, cos_theta, thickness_nm)
+            }
+            Compiled::Reference => self.converged(side, cos_theta, thickness_nm),
+            Compiled::Other(other) => other.colors(side, cos_theta, thickness_nm),
+            Compiled::Table(_) | Compiled::Curve(_) => {
+                return Err(Error::new(
+                    Status::Internal,
+                    "a film with transmittance was compiled for one side",
+                ));
+            }
         };
-        let colors = evaluator.colors(side, cos_theta, thickness_nm);
         Ok(Colors {
             reflectance: self.finished(f32::rgb(colors.reflectance)),
             transmittance: self.finished(f32::rgb(colors.transmittance)),
@@ -182,11 +197,14 @@ impl Film {
             .unpolarized_reflectance()
     }
 
-    /// Whether a half-space disperses: then light from the base has a critical angle for every wavelength,
-    /// and no table.
-    fn disperses(&self) -> bool {
-        let [ambient, base] = self.half_spaces();
-        ambient.constant().is_none() || base.constant().is_none()
+    /// What the reference finds.
+    #[inline(never)]
+    fn converged(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        let thicknesses = self.description.thicknesses(f64::from(thickness_nm));
+        let found = self
+            .reference
+            .evaluate(side, f64::from(cos_theta), &thicknesses);
+        Colors::rounded(found.reflectance, found.transmittance)
     }
 
     /// The arguments within their ranges; none if one is NaN.

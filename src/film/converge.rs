@@ -28,20 +28,14 @@ pub(super) fn converged(
     reference: &Reference,
     tolerance: f64,
 ) -> Result<(Series, f64), Error> {
-    let [least, greatest] = description
-        .varying()
-        .map_or([0.0; 2], |layer| description.layers[layer].thickness_nm);
+    let [least, greatest] = description.varying_range();
     let greatest = greatest.min(least.max(THICK_NM));
     let parts = PARTS.map(|part| least + part * (greatest - least));
     let mut thicknesses: Vec<f64> = parts.into_iter().chain(SOME_NM).collect();
     thicknesses.retain(|d| (least..=greatest).contains(d));
     thicknesses.dedup();
-    let mut sides = vec![Side::Ambient];
-    if description.transmittance && !description.base.absorbs() {
-        sides.push(Side::Base);
-    }
     let mut points = Vec::new();
-    for side in sides {
+    for &side in description.sides() {
         let cosines = COSINES
             .into_iter()
             .chain(critical_cosines(description, side));

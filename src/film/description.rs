@@ -1,6 +1,7 @@
 //! What film to create, and the checks that it must pass.
 
 use crate::error::Error;
+use crate::optics::stack::Side;
 use crate::optics::{ColorSpace, Medium, White};
 
 /// The error that is allowed where none is stated.
@@ -74,6 +75,26 @@ impl FilmDescription {
     pub fn varying(&self) -> Option<usize> {
         let varies = |layer: &FilmLayer| layer.thickness_nm[0] != layer.thickness_nm[1];
         self.layers.iter().position(varies)
+    }
+
+    /// The range of the thickness that varies, nm; 0 to 0 if none does.
+    pub(super) fn varying_range(&self) -> [f64; 2] {
+        self.varying()
+            .map_or([0.0; 2], |layer| self.layers[layer].thickness_nm)
+    }
+
+    /// The sides that light is asked for from.
+    pub(super) fn sides(&self) -> &'static [Side] {
+        if self.transmittance && !self.base.absorbs() {
+            &[Side::Ambient, Side::Base]
+        } else {
+            &[Side::Ambient]
+        }
+    }
+
+    /// Whether a half-space disperses: then every wavelength has a critical angle of its own.
+    pub(super) fn disperses(&self) -> bool {
+        self.ambient.constant().is_none() || self.base.constant().is_none()
     }
 
     /// One thickness per layer, the varying one held in its range.

@@ -7,7 +7,7 @@ use super::{Kind, Method, OneLayer};
 use crate::error::Error;
 use crate::math::Rgb;
 use crate::optics::stack::Side;
-use crate::optics::{Reference, dielectric_reflectance, schlick};
+use crate::optics::{dielectric_reflectance, schlick};
 
 /// Schlick's approximation from the colour at normal incidence.
 pub(super) struct SchlickBase(pub Rgb<f32>);
@@ -27,12 +27,6 @@ pub(super) struct OneLayerMethod {
 /// The series at every call.
 pub(super) struct SeriesMethod(pub Series);
 
-/// The reference at every call.
-pub(super) struct ReferenceMethod {
-    pub reference: Reference,
-    pub description: FilmDescription,
-}
-
 impl OneLayerMethod {
     /// `layer` of a description with one layer.
     pub(super) fn new(
@@ -49,21 +43,9 @@ impl OneLayerMethod {
     }
 }
 
-/// Of an evaluator that knows no other side.
-fn one_sided(reflectance: Rgb<f32>) -> Colors {
-    Colors {
-        reflectance,
-        transmittance: [0.0; 3],
-    }
-}
-
 impl Evaluator for SchlickBase {
     fn reflectance(&self, cos_theta: f32, _: f32) -> Rgb<f32> {
         self.0.map(|f0| schlick(f0, cos_theta))
-    }
-
-    fn colors(&self, _: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
-        one_sided(self.reflectance(cos_theta, thickness_nm))
     }
 }
 
@@ -71,20 +53,12 @@ impl Evaluator for FresnelBase {
     fn reflectance(&self, cos_theta: f32, _: f32) -> Rgb<f32> {
         [dielectric_reflectance(cos_theta, self.eta); 3]
     }
-
-    fn colors(&self, _: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
-        one_sided(self.reflectance(cos_theta, thickness_nm))
-    }
 }
 
 impl Evaluator for OneLayerMethod {
     fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         let thickness_nm = self.fixed_nm.unwrap_or(thickness_nm);
         self.method.reflectance(cos_theta, thickness_nm)
-    }
-
-    fn colors(&self, _: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
-        one_sided(self.reflectance(cos_theta, thickness_nm))
     }
 }
 
@@ -97,28 +71,6 @@ impl Evaluator for SeriesMethod {
     fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
         let (cos_theta, thickness_nm) = (f64::from(cos_theta), f64::from(thickness_nm));
         let found = self.0.at(side, cos_theta, thickness_nm);
-        rounded(found.reflectance, found.transmittance)
-    }
-}
-
-impl Evaluator for ReferenceMethod {
-    fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
-        self.colors(Side::Ambient, cos_theta, thickness_nm)
-            .reflectance
-    }
-
-    fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
-        let thicknesses = self.description.thicknesses(f64::from(thickness_nm));
-        let found = self
-            .reference
-            .evaluate(side, f64::from(cos_theta), &thicknesses);
-        rounded(found.reflectance, found.transmittance)
-    }
-}
-
-fn rounded(reflectance: Rgb<f64>, transmittance: Rgb<f64>) -> Colors {
-    Colors {
-        reflectance: reflectance.map(|x| x as f32),
-        transmittance: transmittance.map(|x| x as f32),
+        Colors::rounded(found.reflectance, found.transmittance)
     }
 }

@@ -3,7 +3,7 @@
 use super::candidate::Candidate;
 use super::compiled::{Compiled, Evaluator};
 use super::converge::{converged, critical_cosines};
-use super::direct::{FresnelBase, OneLayerMethod, ReferenceMethod, SchlickBase, SeriesMethod};
+use super::direct::{FresnelBase, OneLayerMethod, SchlickBase, SeriesMethod};
 use super::fit::{Errors, Limits};
 use super::series::Series;
 use super::sheets::{Sheet, Sheets};
@@ -99,9 +99,8 @@ pub(super) fn plan(
         let max = attempt.errors.max;
         let allowed = match candidate {
             Candidate::Reference if tolerance >= ALWAYS => f64::INFINITY,
-            Candidate::Reference | Candidate::Schlick | Candidate::Fresnel => tolerance,
-            Candidate::Table => tolerance,
             Candidate::OneLayer(_) | Candidate::Series => MEASURED * tolerance,
+            _ => tolerance,
         };
         if max <= allowed {
             let plan = Plan {
@@ -237,10 +236,6 @@ impl Workshop<'_> {
     }
 
     fn reference(&self) -> Attempt {
-        let method = ReferenceMethod {
-            reference: self.reference.clone(),
-            description: self.description.clone(),
-        };
         let mut errors = Errors::default();
         for (side, c, d) in self.points(6) {
             let thicknesses = self.description.thicknesses(d);
@@ -248,7 +243,7 @@ impl Workshop<'_> {
             errors.add([change; 3], [0.0; 3], true);
         }
         Attempt {
-            compiled: Compiled::Other(Box::new(method)),
+            compiled: Compiled::Reference,
             errors,
             bytes: 0,
             size: "converged wave optics".into(),
@@ -280,10 +275,8 @@ impl Workshop<'_> {
             } else {
                 SLOW_POINTS
             };
-            let points = self
-                .points(count)
-                .filter(|point| point.0 == Side::Ambient || !is_fast);
-            let points = points.map(|(_, c, d)| {
+            // No transmittance is asked for where this is: all points are on the ambient's side.
+            let points = self.points(count).map(|(_, c, d)| {
                 let found = if is_fast {
                     self.series.at(Side::Ambient, c, d).reflectance
                 } else {
@@ -301,23 +294,17 @@ impl Workshop<'_> {
     /// both grazing angles and thin films, by the R2 sequence (Roberts 2018). From both sides by turns,
     /// if both are asked for. And about critical angles.
     fn points(&self, count: usize) -> impl Iterator<Item = (Side, f64, f64)> {
-        let [least, greatest] = self.description.varying().map_or([0.0; 2], |layer| {
-            self.description.layers[layer].thickness_nm
-        });
-        let is_two_sided = self.description.transmittance && !self.description.base.absorbs();
-        let critical = critical_points(self.description, least, greatest.min(least.max(THICK_NM)));
+        let [least, greatest] = self.description.varying_range();
+        let greatest = greatest.min(least.max(THICK_NM));
+        let sides = self.description.sides();
+        let critical = critical_points(self.description, least, greatest);
         (0..count)
             .map(move |i| {
                 let fraction = |step: f64| (0.5 + step * i as f64).fract();
                 let (u, v) = (fraction(0.754_877_666), fraction(0.569_840_291));
                 let cos_theta = if i % 3 == 0 { u } else { u.powi(3).max(1e-4) };
                 let part = if i % 3 == 2 { v.powi(3) } else { v };
-                let greatest = greatest.min(least.max(THICK_NM));
-                let side = if is_two_sided && i % 2 == 1 {
-                    Side::Base
-                } else {
-                    Side::Ambient
-                };
+                let side = sides[i % sides.len()];
                 (side, cos_theta, least + part * (greatest - least))
             })
             .chain(critical)
@@ -331,8 +318,7 @@ fn critical_points(
     greatest: f64,
 ) -> Vec<(Side, f64, f64)> {
     let mut points = Vec::new();
-    let base = (description.transmittance && !description.base.absorbs()).then_some(Side::Base);
-    for side in std::iter::once(Side::Ambient).chain(base) {
+    for &side in description.sides() {
         for cosine in critical_cosines(description, side) {
             for step in [-0.004, -0.001, 0.0, 0.001, 0.004] {
                 for part in [0.07, 0.5, 1.0] {

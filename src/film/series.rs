@@ -4,15 +4,13 @@ use super::FilmDescription;
 use super::quadrature::equidistant;
 use crate::error::Error;
 use crate::math::{PI, Rgb};
-use crate::optics::stack::{Incidence, P, S, Side};
+use crate::optics::stack::{Incidence, P, S, Side, Slab};
 use crate::optics::{ChannelWeights, Complex};
 
 /// With |g|^2 above 1 less this, or with more than so much power in its terms, the series is not summed:
 /// the reflectance at the wavelength is taken. Waves that do not travel come to that, and have no fringes.
 const RESONANT: f64 = 1e-13;
 const MOST_POWER: f64 = 4.0;
-/// q^2 below this counts as q = 0 in s / q.
-const CRITICAL: f64 = 1e-30;
 /// e to this counts as 0.
 const FAINT: f64 = -25.0;
 /// The greatest ratio of a medium's group index and its index.
@@ -48,9 +46,10 @@ pub(super) struct Powers {
 /// Q = z (1 - (-g z)^M) / (1 + g z)
 /// ```
 ///
-/// with a part of the next harmonic, so that the sum is continuous in the path. It is exact to rounding for any finesse and thickness of this layer once 1 / (2 delta) exceeds the
-/// longest path at which the channels show fringes (some 15 micrometres at 1e-4). The other layers'
-/// fringes are sampled: their paths ask for more nodes. The same decomposition as in
+/// with a part of the next harmonic, so that the sum is continuous in the path. It is exact to rounding
+/// for any finesse and thickness of this layer once 1 / (2 delta) exceeds the longest path at which the
+/// channels show fringes (some 15 micrometres at 1e-4). The other layers' fringes are sampled: their
+/// paths ask for more nodes. The same decomposition as in
 /// [`Harmonics`](super::Harmonics), whose transform it evaluates at all orders at once; our own.
 #[derive(Clone, Debug)]
 pub(super) struct Series {
@@ -296,14 +295,18 @@ impl Series {
             Side::Base => last - 1 - layer,
         });
         let inside = near.wave(medium(summed));
+        let slab = |i: usize| {
+            let thickness_nm = self.ranges[layer_of(i)][0];
+            Slab::new(&near.wave(medium(i)), thickness_nm, 1.0 / node.sigma)
+        };
         let near_w = near.immittance();
         // The layers below the summed one, from the far half-space.
         let mut below = [S, P].map(|pol| (far.immittance[pol], Complex::real(1.0)));
         let mut decay_below = 1.0;
         for i in (summed + 1..last).rev() {
-            let cross = Matrix::new(&near, medium(i), self.ranges[layer_of(i)][0] * node.sigma);
+            let cross = slab(i);
             for (pol, (u, v)) in below.iter_mut().enumerate() {
-                (*u, *v) = cross.apply(pol, *u, *v);
+                (*u, *v) = cross.carry(pol, *u, *v);
             }
             decay_below *= cross.decay;
         }
@@ -314,14 +317,14 @@ impl Series {
         let mut decay_above = 1.0;
         let mut determinant = one;
         for i in (1..summed.min(last)).rev() {
-            let cross = Matrix::new(&near, medium(i), self.ranges[layer_of(i)][0] * node.sigma);
+            let cross = slab(i);
             for (pol, columns) in above.iter_mut().enumerate() {
                 for (u, v) in columns {
-                    (*u, *v) = cross.apply(pol, *u, *v);
+                    (*u, *v) = cross.carry(pol, *u, *v);
                 }
             }
             decay_above *= cross.decay;
-            determinant = determinant * cross.round_trip;
+            determinant = determinant * cross.round_trip();
         }
         let both = [S, P].map(|pol| {
             let (w0, w1) = (Complex::real(near_w[pol]), inside.immittance[pol]);
@@ -461,56 +464,6 @@ fn circle(turns: f64) -> Complex<f64> {
     };
     let sign = f64::from_bits(1.0f64.to_bits() | (quarter & 2) << 62);
     Complex::new(re * sign, im * sign)
-}
-
-/// What one layer does to the fields of both polarisations: as in [`crate::optics::stack`].
-struct Matrix {
-    cosine: Complex<f64>,
-    forth: [Complex<f64>; 2],
-    back: [Complex<f64>; 2],
-    /// |E| and E.
-    decay: f64,
-    round_trip: Complex<f64>,
-}
-
-impl Matrix {
-    /// For a thickness in wavelengths.
-    fn new(near: &Incidence<f64>, index: Complex<f64>, thickness: f64) -> Self {
-        let wave = near.wave(index);
-        let q = wave.immittance[S];
-        // c and s by parts that keep their digits where the layer is thin, as in `Crossing`.
-        let half = circle(q.re * thickness);
-        let loss = if q.im > 0.0 {
-            -(-4.0 * PI * q.im * thickness).exp_m1()
-        } else {
-            0.0
-        };
-        let decay = 1.0 - loss;
-        let sine = Complex::new(
-            0.5 * loss + decay * half.im * half.im,
-            -decay * half.im * half.re,
-        );
-        let cosine = Complex::new(1.0 - sine.re, -sine.im);
-        let sine_over_q = if q.norm_squared() < CRITICAL {
-            Complex::new(0.0, -2.0 * PI * thickness)
-        } else {
-            sine * q.inverse()
-        };
-        Self {
-            cosine,
-            forth: wave.immittance.map(|w| w * sine),
-            back: [sine_over_q, sine_over_q * (index * index)],
-            decay,
-            round_trip: cosine - sine,
-        }
-    }
-
-    fn apply(&self, pol: usize, u: Complex<f64>, v: Complex<f64>) -> (Complex<f64>, Complex<f64>) {
-        (
-            self.cosine * u + self.forth[pol] * v,
-            self.cosine * v + self.back[pol] * u,
-        )
-    }
 }
 
 fn safe_inverse(z: Complex<f64>) -> Complex<f64> {

@@ -109,9 +109,7 @@ impl Sheets {
         } else {
             Side::Base
         };
-        let disperses = [&description.ambient, &description.base]
-            .into_iter()
-            .any(|medium| medium.constant().is_none());
+        let disperses = description.disperses();
         // Where every wavelength has a critical angle of its own, colours are not smooth.
         if disperses && rarer == Side::Base {
             return Ok(None);
@@ -269,11 +267,9 @@ impl Evaluator for Sheets {
                 };
             }
         };
-        let front = self.front.at(c, thickness_nm);
-        let back = |sheet: &Sheet| sheet.at(c, thickness_nm);
         let reflectance = match (&self.back, side) {
-            (Some(sheet), Side::Base) => back(sheet),
-            _ => front,
+            (Some(sheet), Side::Base) => sheet.at(c, thickness_nm),
+            _ => self.front.at(c, thickness_nm),
         };
         let transmittance = match &self.through {
             Some(sheet) => sheet.at(c, thickness_nm),

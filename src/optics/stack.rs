@@ -295,10 +295,30 @@ pub struct Slab<T> {
     /// s / w for s and p.
     back: [Complex<T>; 2],
     /// |E|, the factor of the power.
-    decay: T,
+    pub(crate) decay: T,
 }
 
 impl<T: Real> Slab<T> {
+    /// (U, V) on the near side for those on the far side.
+    #[inline(always)]
+    pub(crate) fn carry(
+        &self,
+        pol: usize,
+        u: Complex<T>,
+        v: Complex<T>,
+    ) -> (Complex<T>, Complex<T>) {
+        (
+            self.cosine * u + self.forth[pol] * v,
+            self.cosine * v + self.back[pol] * u,
+        )
+    }
+
+    /// E = c - s, the determinant of the map.
+    #[inline(always)]
+    pub(crate) fn round_trip(&self) -> Complex<T> {
+        self.cosine + self.cosine - Complex::real(T::new(1.0))
+    }
+
     /// A layer of a thickness, crossed by a wave.
     #[inline(always)]
     pub fn new(wave: &Wave<T>, thickness_nm: T, wavelength_nm: T) -> Self {
@@ -357,9 +377,10 @@ impl<T: Real> Fields<T> {
     /// Through a layer.
     #[inline(always)]
     pub fn through(self, slab: &Slab<T>, pol: usize) -> Self {
+        let (u, v) = slab.carry(pol, self.u, self.v);
         let fields = Self {
-            u: slab.cosine * self.u + slab.forth[pol] * self.v,
-            v: slab.cosine * self.v + slab.back[pol] * self.u,
+            u,
+            v,
             weight: self.weight * slab.decay,
             scale: self.scale,
         };
