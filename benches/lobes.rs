@@ -58,6 +58,38 @@ fn soap() -> Arc<Film> {
     Arc::new(Film::new(&soap).unwrap())
 }
 
+/// A texture's numbers, one parameter after another.
+type Varying = Option<&'static [f32]>;
+
+fn measure(criterion: &mut Criterion, inputs: &mut Inputs, name: &str, bsdf: &Bsdf, v: Varying) {
+    let mut group = criterion.benchmark_group(name);
+    group.throughput(Throughput::Elements(CHUNK as u64));
+    group
+        .sample_size(20)
+        .measurement_time(Duration::from_secs(1));
+    group.warm_up_time(Duration::from_millis(300));
+    let mut run = |name: &str, call: &dyn Fn(Vec3, Vec3)| {
+        group.bench_function(name, |bencher| {
+            bencher.iter_batched(
+                || inputs.chunk(),
+                |chunk| chunk.into_iter().for_each(|(wo, wi)| call(wo, wi)),
+                BatchSize::LargeInput,
+            );
+        });
+    };
+    run("eval", &|wo, wi| {
+        black_box(bsdf.eval(wo, wi, v));
+    });
+    run("eval_pdf", &|wo, wi| {
+        black_box(bsdf.eval_pdf(wo, wi, v));
+    });
+    // A direction's components in [0, 1) do as uniform numbers here.
+    run("sample", &|wo, wi| {
+        black_box(bsdf.sample(wo, wi.abs().min(Vec3::splat(0.999_999)), v));
+    });
+    group.finish();
+}
+
 fn bench(criterion: &mut Criterion) {
     let mut inputs = Inputs::new();
     for entry in models() {
@@ -65,35 +97,79 @@ fn bench(criterion: &mut Criterion) {
         if (entry.needs_film)(&Values::defaults(entry.info)) {
             description = description.film(soap()).set("thickness_nm", &[400.0]);
         }
-        let bsdf = Bsdf::<f32>::new(&description).unwrap();
-        let mut group = criterion.benchmark_group(entry.name());
-        group.throughput(Throughput::Elements(CHUNK as u64));
-        group
-            .sample_size(20)
-            .measurement_time(Duration::from_secs(1));
-        group.warm_up_time(Duration::from_millis(300));
-        let mut run = |name: &str, call: &dyn Fn(Vec3, Vec3)| {
-            group.bench_function(name, |bencher| {
-                bencher.iter_batched(
-                    || inputs.chunk(),
-                    |chunk| chunk.into_iter().for_each(|(wo, wi)| call(wo, wi)),
-                    BatchSize::LargeInput,
-                );
-            });
-        };
-        run("eval", &|wo, wi| {
-            black_box(bsdf.eval(wo, wi, None));
-        });
-        run("eval_pdf", &|wo, wi| {
-            black_box(bsdf.eval_pdf(wo, wi, None));
-        });
-        // A direction's components in [0, 1) do as uniform numbers here.
-        run("sample", &|wo, wi| {
-            black_box(bsdf.sample(wo, wi.abs().min(Vec3::splat(0.999_999)), None));
-        });
-        group.finish();
+        let bsdf = Bsdf::new(&description).unwrap();
+        measure(criterion, &mut inputs, entry.name(), &bsdf, None);
+    }
+    for (name, description, varying) in variants() {
+        let bsdf = Bsdf::new(&description).unwrap();
+        measure(criterion, &mut inputs, name, &bsdf, varying);
     }
 }
 
-criterion_group!(benches, bench);
+/// What the defaults do not show.
+fn variants() -> Vec<(&'static str, Description, Varying)> {
+    let metallic_roughness = || Description::new("metallic_roughness");
+    let qualitative = Description::new("oren_nayar").choose("form", "qualitative");
+    let textured = metallic_roughness()
+        .vary("base_color", 0.0, 1.0)
+        .vary("metallic", 0.0, 1.0)
+        .vary("roughness", 0.0, 1.0);
+    let by_form = |form| {
+        metallic_roughness()
+            .choose("diffuse", form)
+            .set("diffuse_roughness", &[0.5])
+    };
+    vec![
+        ("oren_nayar qualitative", qualitative, None),
+        (
+            "metallic_roughness textured",
+            textured,
+            Some(&[0.8, 0.5, 0.2, 0.3, 0.4]),
+        ),
+        ("metallic_roughness oren_nayar", by_form("oren_nayar"), None),
+        ("metallic_roughness disney", by_form("disney"), None),
+    ]
+}
+
+/// The value alone of every combination of the `microfacet` model's factors.
+fn bench_microfacets(criterion: &mut Criterion) {
+    let mut inputs = Inputs::new();
+    let mut group = criterion.benchmark_group("microfacet_eval");
+    group.throughput(Throughput::Elements(CHUNK as u64));
+    group
+        .sample_size(10)
+        .measurement_time(Duration::from_millis(300));
+    group.warm_up_time(Duration::from_millis(100));
+    let film = soap();
+    for distribution in ["ggx", "beckmann", "blinn_phong", "abc", "sgd"] {
+        for masking in ["smith", "schlick", "kelemen", "cook_torrance", "implicit"] {
+            for fresnel in ["schlick", "dielectric", "conductor", "film"] {
+                let mut description = Description::new("microfacet")
+                    .choose("distribution", distribution)
+                    .choose("masking", masking)
+                    .choose("fresnel", fresnel);
+                if fresnel == "film" {
+                    description = description.film(Arc::clone(&film));
+                    description = description.set("thickness_nm", &[400.0]);
+                }
+                let bsdf = Bsdf::<f32>::new(&description).unwrap();
+                let name = format!("{distribution}/{masking}/{fresnel}");
+                group.bench_function(name, |bencher| {
+                    bencher.iter_batched(
+                        || inputs.chunk(),
+                        |chunk| {
+                            for (wo, wi) in chunk {
+                                black_box(bsdf.eval(wo, wi, None));
+                            }
+                        },
+                        BatchSize::LargeInput,
+                    );
+                });
+            }
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, bench, bench_microfacets);
 criterion_main!(benches);

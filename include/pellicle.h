@@ -163,7 +163,7 @@ typedef struct PellicleModelParam {
     // For a CHOICE: how many names there are; 0 otherwise.
     uint32_t choice_count;
     // For a CHOICE: the names, then NULL.
-    const char *choices[8];
+    const char *choices[16];
 } PellicleModelParam;
 
 // A medium, given in one of three ways: by `name`, by `eta` and `k`, or by a table of measurements.

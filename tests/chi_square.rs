@@ -230,6 +230,72 @@ fn layered_samples_its_density_under_total_reflection() {
     assert_agreement(&descriptions);
 }
 
+fn microfacet(distribution: &str, alpha: f32) -> Description {
+    Description::new("microfacet")
+        .choose("distribution", distribution)
+        .set("alpha", &[alpha])
+}
+
+/// Every distribution, stretched where it can be. Masking and Fresnel factor do not change where samples
+/// go: that the density is the same with all of them is checked alone.
+#[test]
+fn microfacet_samples_its_density() {
+    let mut descriptions = Vec::new();
+    for distribution in ["ggx", "beckmann", "blinn_phong", "abc", "sgd"] {
+        descriptions.extend([0.03, 0.3, 1.0].map(|alpha| microfacet(distribution, alpha)));
+    }
+    for distribution in ["ggx", "beckmann"] {
+        let stretched = microfacet(distribution, 0.3).set("anisotropy", &[0.9]);
+        descriptions.push(stretched.set("rotation", &[0.4]));
+    }
+    assert_agreement(&descriptions);
+}
+
+#[test]
+fn microfacet_density_is_that_of_the_distribution() {
+    let mut rng = rng(1);
+    for distribution in ["ggx", "beckmann", "blinn_phong", "abc", "sgd"] {
+        let reference: Bsdf = Bsdf::new(&microfacet(distribution, 0.2)).unwrap();
+        let pairs: Vec<[Vec3; 2]> = (0..100)
+            .map(|_| [(); 2].map(|()| visible(&reference, &mut rng).as_vec3()))
+            .collect();
+        for masking in ["smith", "schlick", "kelemen", "cook_torrance", "implicit"] {
+            for fresnel in ["schlick", "dielectric", "conductor", "film"] {
+                let mut description = microfacet(distribution, 0.2)
+                    .choose("masking", masking)
+                    .choose("fresnel", fresnel);
+                if fresnel == "film" {
+                    let film = common::films::Kind::Metal.film();
+                    description = description.film(film);
+                }
+                let bsdf: Bsdf = Bsdf::new(&description).unwrap();
+                for [wo, wi] in &pairs {
+                    assert_eq!(
+                        bsdf.eval_pdf(*wo, *wi, None).1,
+                        reference.eval_pdf(*wo, *wi, None).1
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// From a mirror-like highlight over a diffuse part to a rough metal.
+#[test]
+fn metallic_roughness_samples_its_density() {
+    let mut descriptions = Vec::new();
+    for roughness in [0.15, 0.5, 1.0] {
+        for metallic in [0.0, 0.5, 1.0] {
+            descriptions.push(
+                Description::new("metallic_roughness")
+                    .set("roughness", &[roughness])
+                    .set("metallic", &[metallic]),
+            );
+        }
+    }
+    assert_agreement(&descriptions);
+}
+
 /// The test itself must be able to fail: a density that is a little wrong is found out.
 #[test]
 fn a_wrong_density_is_found_out() {

@@ -12,23 +12,17 @@ use pellicle::lobe::{Entry, Flags, ParamKind, models};
 use proptest::prelude::*;
 use rand::RngExt;
 
-/// Calls `law` with every model.
-fn for_every_model(seed: u64, law: impl Fn(&'static Entry, u64) -> Result<(), TestCaseError>) {
+/// Parameters per model; more than [`common::combinations`].
+const CASES: u64 = 400;
+
+/// Calls `law` with every model and seeds in a row, other ones for each law.
+fn for_every_model(number: u64, law: impl Fn(&'static Entry, u64) -> Result<(), TestCaseError>) {
     for entry in models() {
-        let mut runner = proptest::test_runner::TestRunner::new_with_rng(
-            ProptestConfig {
-                cases: 400,
-                failure_persistence: None,
-                ..ProptestConfig::default()
-            },
-            proptest::test_runner::TestRng::from_seed(
-                proptest::test_runner::RngAlgorithm::ChaCha,
-                &[seed as u8; 32],
-            ),
-        );
-        runner
-            .run(&any::<u64>(), |seed| law(entry, seed))
-            .unwrap_or_else(|error| panic!("{}: {error}", entry.name()));
+        for seed in number * 1000..number * 1000 + CASES {
+            if let Err(error) = law(entry, seed) {
+                panic!("{}, seed {seed}: {error}", entry.name());
+            }
+        }
     }
 }
 
@@ -55,8 +49,8 @@ fn hard_directions(rng: &mut impl rand::Rng) -> [Vec3; 2] {
 #[test]
 fn outputs_are_finite_and_not_negative() {
     for_every_model(1, |entry, seed| {
-        let mut rng = rng(seed);
-        let drawn = Drawn::new(entry, &mut rng);
+        let mut rng = rng(!seed);
+        let drawn = Drawn::new(entry, seed);
         let bsdf = drawn.single();
         for _ in 0..200 {
             let [wo, wi] = hard_directions(&mut rng);
@@ -97,7 +91,7 @@ fn reciprocity_error(drawn: &Drawn, seed: u64) -> f64 {
 #[test]
 fn models_are_reciprocal() {
     for_every_model(2, |entry, seed| {
-        let drawn = Drawn::new(entry, &mut rng(seed));
+        let drawn = Drawn::new(entry, seed);
         if !drawn.is_excepted(&entry.info.not_reciprocal) {
             let error = reciprocity_error(&drawn, seed);
             prop_assert!(error < 1e-9, "{:?}: {error}", drawn.description);
@@ -130,8 +124,8 @@ fn power(bsdf: &Bsdf<f64>, wo: DVec3) -> [f64; 3] {
 #[test]
 fn models_conserve_energy() {
     for_every_model(3, |entry, seed| {
-        let mut rng = rng(seed);
-        let drawn = Drawn::new(entry, &mut rng);
+        let mut rng = rng(!seed);
+        let drawn = Drawn::new(entry, seed);
         if drawn.is_excepted(&entry.info.not_conserving) {
             return Ok(());
         }
@@ -157,12 +151,10 @@ fn models_conserve_energy() {
 fn declared_exceptions_are_real() {
     for entry in models() {
         let info = entry.info;
-        let drawn: Vec<Drawn> = (0..200)
-            .map(|seed| Drawn::new(entry, &mut rng(seed)))
-            .collect();
+        let drawn = || (0..2000).map(|seed| Drawn::new(entry, seed));
         if info.not_reciprocal.is_some() {
-            let broken = drawn.iter().any(|drawn| {
-                drawn.is_excepted(&info.not_reciprocal) && reciprocity_error(drawn, 5) > 1e-3
+            let broken = drawn().any(|drawn| {
+                drawn.is_excepted(&info.not_reciprocal) && reciprocity_error(&drawn, 5) > 1e-3
             });
             assert!(
                 broken,
@@ -171,9 +163,12 @@ fn declared_exceptions_are_real() {
             );
         }
         if info.not_conserving.is_some() {
-            let broken = drawn.iter().any(|drawn| {
-                let albedo = drawn.double().albedo(DVec3::Z, None);
-                drawn.is_excepted(&info.not_conserving) && albedo.into_iter().any(|a| a > 1.01)
+            let broken = drawn().any(|drawn| {
+                drawn.is_excepted(&info.not_conserving)
+                    && [0.0, 60.0, 85.0].into_iter().any(|theta| {
+                        let albedo = drawn.double().albedo(common::degrees(theta, 10.0), None);
+                        albedo.into_iter().any(|albedo| albedo > 1.01)
+                    })
             });
             assert!(
                 broken,
@@ -187,8 +182,8 @@ fn declared_exceptions_are_real() {
 #[test]
 fn weight_is_value_over_pdf() {
     for_every_model(4, |entry, seed| {
-        let mut rng = rng(seed);
-        let drawn = Drawn::new(entry, &mut rng);
+        let mut rng = rng(!seed);
+        let drawn = Drawn::new(entry, seed);
         let bsdf = drawn.single();
         for _ in 0..100 {
             let wo = visible(&bsdf, &mut rng).as_vec3();
@@ -199,7 +194,7 @@ fn weight_is_value_over_pdf() {
             }
             prop_assert!((sample.wi.length() - 1.0).abs() < 1e-3, "{sample:?}");
             prop_assert!(bsdf.flags().contains(sample.flags), "{sample:?}");
-            prop_assert_eq!(sample.flags, entry.info.lobes[sample.lobe].flags);
+            prop_assert_eq!(sample.flags, bsdf.lobe_infos()[sample.lobe].flags);
             let is_reflection = (wo.z > 0.0) == (sample.wi.z > 0.0);
             let side = if is_reflection {
                 Flags::REFLECTION
@@ -236,9 +231,9 @@ fn weight_is_value_over_pdf() {
 fn weights_add_up_to_the_albedo() {
     const COUNT: usize = 20_000;
     for entry in models() {
-        for seed in 0..20 {
-            let mut rng = rng(seed);
-            let drawn = Drawn::new(entry, &mut rng);
+        for seed in 0..common::combinations(entry).max(20) {
+            let mut rng = rng(!seed);
+            let drawn = Drawn::new(entry, seed);
             let bsdf = drawn.single();
             let wo = visible(&bsdf, &mut rng).as_vec3();
             let albedo = bsdf.albedo(wo, None);
@@ -253,7 +248,7 @@ fn weights_add_up_to_the_albedo() {
             for c in 0..3 {
                 let mean = sum[c] / COUNT as f64;
                 let variance = (squares[c] / COUNT as f64 - mean * mean).max(0.0);
-                // 240 comparisons: 5 standard errors are exceeded by chance once in 10,000 runs.
+                // 1000 comparisons: 5 standard errors are exceeded by chance once in 1,000 runs.
                 let allowed = 5.0 * (variance / COUNT as f64).sqrt() + 2e-3 * mean + 1e-6;
                 let difference = (mean - f64::from(albedo[c])).abs();
                 assert!(
@@ -270,8 +265,8 @@ fn weights_add_up_to_the_albedo() {
 #[test]
 fn models_are_black_at_the_horizon_and_one_sided_ones_below() {
     for_every_model(6, |entry, seed| {
-        let mut rng = rng(seed);
-        let bsdf = Drawn::new(entry, &mut rng).single();
+        let mut rng = rng(!seed);
+        let bsdf = Drawn::new(entry, seed).single();
         let above = hemisphere(&mut rng).as_vec3();
         let horizon = [Vec3::X, Vec3::new(0.6, -0.8, 0.0)];
         let below = [-above, Vec3::NEG_Z];
@@ -292,8 +287,8 @@ fn models_are_black_at_the_horizon_and_one_sided_ones_below() {
 #[test]
 fn single_precision_follows_double() {
     for_every_model(7, |entry, seed| {
-        let mut rng = rng(seed);
-        let drawn = Drawn::new(entry, &mut rng);
+        let mut rng = rng(!seed);
+        let drawn = Drawn::new(entry, seed);
         let (single, double) = (drawn.single(), drawn.double());
         for _ in 0..100 {
             let (wo, wo_double) = rounded(hemisphere(&mut rng));
@@ -309,7 +304,9 @@ fn single_precision_follows_double() {
             let (true_value, true_pdf) = double.eval_pdf(wo_double, wi_double, None);
             // The density bounds every term before interference cancels some of them, so it is the
             // scale on which rounding errors are made. 5e-3: exponents and thicknesses up to 1e5.
-            let allowed = |truth: f64| 5e-3 * (truth + true_pdf) + 1e-30;
+            // 3e-7: differences from 1 of an albedo in single precision, which is what comes back by
+            // energy compensation.
+            let allowed = |truth: f64| 5e-3 * (truth + true_pdf) + 3e-7;
             for c in 0..3 {
                 let error = (f64::from(value[c]) - true_value[c]).abs();
                 prop_assert!(
@@ -341,7 +338,7 @@ fn registry_fits_the_interface() {
         for param in entry.info.params {
             if let ParamKind::Choice { choices } = &param.kind {
                 assert!(
-                    choices.len() < 8,
+                    choices.len() < 16,
                     "{}: PellicleModelParam::choices is too short",
                     param.name()
                 );

@@ -130,7 +130,7 @@ OFFSET(PellicleModelInfo, not_reciprocal, 40)
 OFFSET(PellicleModelInfo, not_conserving, 48)
 OFFSET(PellicleModelInfo, needs_film, 56)
 
-SIZE(PellicleModelParam, 136)
+SIZE(PellicleModelParam, 200)
 OFFSET(PellicleModelParam, name, 0)
 OFFSET(PellicleModelParam, unit, 8)
 OFFSET(PellicleModelParam, summary, 16)

@@ -5,7 +5,7 @@ use super::film::check_film;
 use super::varying::{Range, upward};
 use crate::error::Error;
 use crate::film::Film;
-use crate::lobe::{Entry, ModelInfo, ParamInfo, ParamKind, Values};
+use crate::lobe::{Bounds, Entry, ModelInfo, ParamInfo, ParamKind, Values};
 use std::fmt;
 use std::sync::Arc;
 
@@ -110,6 +110,7 @@ impl Description {
                 max: *max,
             };
             check_range(info, &range)?;
+            resolved.values.set_varying(param);
             resolved.varying.push(range);
         }
         check_film(
@@ -127,7 +128,7 @@ impl Description {
                 resolved.values.set_numbers(thickness, [range.min; 3]);
             }
         }
-        (entry.check)(&resolved.upper(info))?;
+        (entry.check)(&resolved.bounds(info))?;
         Ok(resolved)
     }
 }
@@ -154,20 +155,29 @@ impl Resolved {
             values.set_numbers(index, numbers);
             values.set_choice(index, self.values.choice(index));
         }
+        for range in &self.varying {
+            values.set_varying(range.param);
+        }
         values.set_film(self.values.film().cloned());
         values
     }
 
-    /// The greatest value that each parameter can take.
-    fn upper(&self, info: &ModelInfo) -> Values<f32> {
-        let mut upper = self.values.clone();
+    /// What each parameter can be.
+    fn bounds(&self, info: &ModelInfo) -> Bounds {
+        let mut bounds = Bounds {
+            least: self.values.clone(),
+            greatest: self.values.clone(),
+        };
         for range in &self.varying {
             if matches!(info.params[range.param].kind, ParamKind::Number { .. }) {
-                let own = upper.rgb(range.param);
-                upper.set_numbers(range.param, own.map(|own| own.max(range.max)));
+                let own = self.values.rgb(range.param);
+                let least = own.map(|own| own.min(range.min));
+                let greatest = own.map(|own| own.max(range.max));
+                bounds.least.set_numbers(range.param, least);
+                bounds.greatest.set_numbers(range.param, greatest);
             }
         }
-        upper
+        bounds
     }
 }
 

@@ -3,7 +3,7 @@
 use super::varying::Range;
 use crate::error::Error;
 use crate::film::Film;
-use crate::lobe::{Entry, Values};
+use crate::lobe::{Entry, ParamKind, Values};
 
 /// Refuses a film that is not used, the lack of one that is, and a thickness that does not fit it.
 /// `given` tells which parameters have a value of their own.
@@ -19,13 +19,15 @@ pub(super) fn check_film(
         (false, None) => None,
         (true, Some(film)) => Some(film),
         (false, Some(_)) => {
+            let why = under_choice(entry, values).map_or(String::new(), |(_, other)| other);
             return Err(Error::invalid(format!(
-                "model '{model}' uses no film, but one is given"
+                "model '{model}' uses no film{why}, but one is given"
             )));
         }
         (true, None) => {
+            let why = under_choice(entry, values).map_or(String::new(), |(its, _)| its);
             return Err(Error::invalid(format!(
-                "model '{model}' needs a film, but none is given"
+                "model '{model}' needs a film{why}, but none is given"
             )));
         }
     };
@@ -66,4 +68,25 @@ pub(super) fn check_film(
             )))
         }
     }
+}
+
+/// For a model that takes a film under one of its choices: how a message says that it is made, and that
+/// another is.
+fn under_choice(entry: &Entry, values: &Values<f32>) -> Option<(String, String)> {
+    let needed = entry.info.film_choice?;
+    let param = &entry.info.params[needed.param];
+    let ParamKind::Choice { choices } = param.kind else {
+        return None;
+    };
+    let names: Vec<_> = choices
+        .iter()
+        .map(|choice| choice.to_str().unwrap_or_default())
+        .collect();
+    let (name, film) = (param.name(), names[needed.choice]);
+    let made = names[values.choice(needed.param)];
+    let known = names.join(", ");
+    Some((
+        format!(" with '{name}' = {film} (choices: {known})"),
+        format!(" with '{name}' = {made}, only with {film} (choices: {known})"),
+    ))
 }

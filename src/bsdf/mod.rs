@@ -18,19 +18,19 @@ pub trait Scalar: Precision {
     /// The public vector type.
     type Vector: Into<[Self; 3]> + From<[Self; 3]> + Copy;
     #[doc(hidden)]
-    fn prepare(entry: &lobe::Entry, values: &Values<Self>) -> Box<dyn Kernel<Self>>;
+    fn prepare(entry: &lobe::Entry, values: &Values<Self>) -> Result<Box<dyn Kernel<Self>>, Error>;
 }
 
 impl Scalar for f32 {
     type Vector = glam::Vec3;
-    fn prepare(entry: &lobe::Entry, values: &Values<f32>) -> Box<dyn Kernel<f32>> {
+    fn prepare(entry: &lobe::Entry, values: &Values<f32>) -> Result<Box<dyn Kernel<f32>>, Error> {
         (entry.prepare_f32)(values)
     }
 }
 
 impl Scalar for f64 {
     type Vector = glam::DVec3;
-    fn prepare(entry: &lobe::Entry, values: &Values<f64>) -> Box<dyn Kernel<f64>> {
+    fn prepare(entry: &lobe::Entry, values: &Values<f64>) -> Result<Box<dyn Kernel<f64>>, Error> {
         (entry.prepare_f64)(values)
     }
 }
@@ -89,17 +89,17 @@ impl<T: Scalar> Bsdf<T> {
     ///
     /// # Errors
     /// `UnknownName`, `OutOfRange`, `InvalidArgument` or `Unsupported`, with a message that names
-    /// the parameter, its value and what is allowed.
+    /// the parameter, its value and what is allowed; `OutOfMemory` if a model's tables find no room.
     pub fn new(description: &Description) -> Result<Self, Error> {
         let entry = lobe::find(description.model())?;
         let resolved = description.resolve(entry)?;
         let values = resolved.values_in::<T>(entry.info);
-        let lobes = &entry.info.lobes[..(entry.lobe_count)(&resolved.values)];
+        let lobes = (entry.lobes)(&resolved.values);
         Ok(Self {
             info: entry.info,
             lobes,
             is_two_sided: Flags::of(lobes).contains(Flags::TRANSMISSION),
-            kernel: T::prepare(entry, &values),
+            kernel: T::prepare(entry, &values)?,
             varying: Varying::new(entry.info, &values, &resolved.varying),
         })
     }
@@ -114,9 +114,10 @@ impl<T: Scalar> Bsdf<T> {
         Flags::of(self.lobes)
     }
 
-    /// How many lobes this BSDF has: those of the model, or the first of them.
-    pub fn lobe_count(&self) -> usize {
-        self.lobes.len()
+    /// The lobes that this BSDF has: those of the model, or some of them. A sample's lobe is an index
+    /// into them.
+    pub fn lobe_infos(&self) -> &'static [LobeInfo] {
+        self.lobes
     }
 
     /// How many parameters vary per call.

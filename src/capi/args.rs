@@ -122,5 +122,5 @@ pub struct PellicleModelParam {
     /// For a CHOICE: how many names there are; 0 otherwise.
     pub choice_count: u32,
     /// For a CHOICE: the names, then NULL.
-    pub choices: [*const c_char; 8],
+    pub choices: [*const c_char; 16],
 }

@@ -92,7 +92,7 @@ pub unsafe extern "C" fn pellicle_bsdf_info(
                 flags: bsdf.flags().0,
                 varying_count: bsdf.varying_count() as u32,
                 varying_floats: bsdf.varying_floats() as u32,
-                lobe_count: bsdf.lobe_count() as u32,
+                lobe_count: bsdf.lobe_infos().len() as u32,
             };
             write_growing(info, info_size, &filled);
         }

@@ -102,7 +102,7 @@ fn fill(param: &ParamInfo) -> PellicleModelParam {
         default_value: [0.0; 3],
         default_choice: null(),
         choice_count: 0,
-        choices: [null(); 8],
+        choices: [null(); 16],
     };
     match param.kind {
         ParamKind::Number {

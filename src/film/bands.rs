@@ -4,11 +4,9 @@ use super::layer::{Line, Waves, pack, pack_complex, pack_lines, phasor};
 use super::quadrature::totals;
 use super::{Method, OneLayer, check_size, held};
 use crate::error::Error;
-use crate::math::{Element, Mask, PI, Real, Rgb};
+use crate::math::{Element, Mask, PI, Real, Rgb, angle_turns};
 use crate::optics::stack::{P, S};
 use crate::optics::{ChannelWeights, Complex, VISIBLE_NM};
-
-use super::arctangent::angle_turns;
 
 /// The greatest number of bands.
 const MAX_BANDS: usize = 256;

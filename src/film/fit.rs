@@ -1,9 +1,9 @@
 //! Finds the axes and the size of a table, fills it, and measures it.
 
 use super::axes::{Axes, LEAST_NM, Shape};
-use super::spline::{FARTHEST, LEAST_VALUES};
 use super::table::{Curve, Table, reserve};
 use crate::error::Error;
+use crate::math::spline::{FARTHEST, LEAST_VALUES};
 use crate::math::{Element, Rgb};
 
 /// Colours at a cosine and a thickness, exact beside the tolerance. Calls at the same cosine one after

@@ -10,7 +10,6 @@
 //! NaN counts as 0 in both. Results are finite.
 
 mod airy_rgb;
-mod arctangent;
 mod axes;
 mod bands;
 mod candidate;
@@ -25,7 +24,6 @@ mod plan;
 mod quadrature;
 mod series;
 mod sheets;
-mod spline;
 mod table;
 mod two_beam;
 

@@ -1,8 +1,8 @@
 //! Compiled tables: a quadratic spline in one or two coordinates.
 
 use super::axes::Axes;
-use super::spline::{controls, weights};
 use crate::error::{Error, Status};
+use crate::math::spline::{controls, weights};
 use crate::math::{Element, Rgb};
 
 /// Three channels in one register.
@@ -41,7 +41,7 @@ fn weighted([a, b, c]: [Lanes; 3], [u, v, w]: [Lanes; 3]) -> Lanes {
 
 impl Curve {
     /// Through values at equal steps of the first coordinate, at least
-    /// [`LEAST_VALUES`](super::spline::LEAST_VALUES).
+    /// [`LEAST_VALUES`](crate::math::spline::LEAST_VALUES).
     pub(super) fn new(axes: &Axes<f64>, values: &[Rgb<f64>]) -> Result<Self, Error> {
         let mut fitted = Vec::new();
         controls(values, &mut fitted);
@@ -76,7 +76,7 @@ impl Curve {
 
 impl Table {
     /// Through values at equal steps of both coordinates, rows of equal y, `width` to a row; at least
-    /// [`LEAST_VALUES`](super::spline::LEAST_VALUES) either way.
+    /// [`LEAST_VALUES`](crate::math::spline::LEAST_VALUES) either way.
     pub(super) fn new(axes: &Axes<f64>, values: &[Rgb<f64>], width: usize) -> Result<Self, Error> {
         let height = values.len() / width;
         let row = width + 2;

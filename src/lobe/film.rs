@@ -35,6 +35,7 @@ use super::power_lobe::mean;
 use super::precision::Precision;
 use super::scattering::{MAX_LOBES, Model, PerLobe, normalized};
 use super::values::Values;
+use crate::error::Error;
 use crate::film::{Film, MAX_THICKNESS_NM};
 use crate::math::{Real, Rgb, Vec3};
 use crate::optics::Interface;
@@ -80,24 +81,25 @@ impl Model for ThinFilm {
             },
         ],
         film_thickness: Some(THICKNESS_NM),
+        film_choice: None,
         not_reciprocal: None,
         not_conserving: None,
     };
 
     type Prepared<T: Precision> = Prepared<T>;
 
-    fn lobe_count(values: &Values<f32>) -> usize {
+    fn lobes(values: &Values<f32>) -> &'static [LobeInfo] {
         let transmits = values.film().is_some_and(|film| transmits(film));
-        if transmits { 2 } else { 1 }
+        &Self::INFO.lobes[..if transmits { 2 } else { 1 }]
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Prepared<T> {
+    fn prepare<T: Precision>(values: &Values<T>) -> Result<Prepared<T>, Error> {
         let film = values.film().expect("validation refuses a lack of it");
-        Prepared {
+        Ok(Prepared {
             film: Arc::clone(film),
             thickness_nm: values.number(THICKNESS_NM),
             passage: transmits(film).then(|| Passage::through(film)),
-        }
+        })
     }
 }
 

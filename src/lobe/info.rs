@@ -54,6 +54,8 @@ pub struct ModelInfo {
     /// Index of the parameter that is the thickness of the film's varying layer, for a model that
     /// takes a film.
     pub film_thickness: Option<usize>,
+    /// The choice under which alone a model that takes a film uses it.
+    pub film_choice: Option<Choice>,
     /// When and why value(wo, wi) wo.z differs from value(wi, wo) wi.z.
     pub not_reciprocal: Option<Exception>,
     /// When and why the directional albedo exceeds 1.
@@ -74,15 +76,30 @@ impl ModelInfo {
     }
 }
 
-/// A law that a model breaks for one choice of one of its parameters.
-#[derive(Debug)]
-pub struct Exception {
+/// One choice of one parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
     /// Index of the parameter, a choice.
     pub param: usize,
-    /// Index of the choice under which the law is broken.
+    /// Index of what is chosen.
     pub choice: usize,
-    /// The reason, naming the choice.
+}
+
+/// A law that a model breaks for some of its choices.
+#[derive(Debug)]
+pub struct Exception {
+    /// The law is broken where all choices of one of these cases are made.
+    pub cases: &'static [&'static [Choice]],
+    /// The reason, naming the choices.
     pub reason: &'static CStr,
+}
+
+impl Exception {
+    /// Whether the law is broken, given what is chosen for each parameter.
+    pub fn applies(&self, chosen: impl Fn(usize) -> usize) -> bool {
+        let is_made = |choice: &Choice| chosen(choice.param) == choice.choice;
+        self.cases.iter().any(|case| case.iter().all(is_made))
+    }
 }
 
 /// A lobe that sampling may choose.

@@ -9,6 +9,7 @@ use super::mixture::Mixture;
 use super::precision::Precision;
 use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
 use super::values::Values;
+use crate::error::Error;
 use crate::math::{Element, PI, Rgb, Vec3, warp};
 
 /// The model; see the module's documentation.
@@ -38,16 +39,17 @@ impl Model for Lambert {
             flags: Flags::REFLECTION.with(Flags::DIFFUSE),
         }],
         film_thickness: None,
+        film_choice: None,
         not_reciprocal: None,
         not_conserving: None,
     };
 
     type Prepared<T: Precision> = Mixture<Prepared<T>>;
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Mixture<Prepared<T>> {
-        Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> Result<Mixture<Prepared<T>>, Error> {
+        Ok(Mixture(Prepared {
             reflectance: values.rgb(REFLECTANCE),
-        })
+        }))
     }
 }
 

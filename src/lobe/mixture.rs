@@ -6,7 +6,8 @@ use super::quadrature::mixture;
 use super::scattering::{PerLobe, Scattering};
 use crate::math::{Rgb, Vec3};
 
-/// The kernel of a [`Scattering`] model, whose lobes reflect.
+/// The kernel of a [`Scattering`] model that owns all it needs. One that borrows tables builds itself
+/// for each call and calls the functions below.
 pub struct Mixture<S>(pub S);
 
 /// Calls `$body` with `$scattering` being `$self` under `$overrides`. Nothing is copied when
@@ -27,7 +28,7 @@ macro_rules! with_overrides {
     };
 }
 
-impl<T: Precision, S: Scattering<T>> Kernel<T> for Mixture<S> {
+impl<T: Precision, S: Scattering<T> + 'static> Kernel<T> for Mixture<S> {
     fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
         with_overrides!(self, overrides, |scattering| Scattering::eval(
             scattering, wo, wi
@@ -35,10 +36,7 @@ impl<T: Precision, S: Scattering<T>> Kernel<T> for Mixture<S> {
     }
 
     fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
-        with_overrides!(self, overrides, |scattering| {
-            let (value, densities) = scattering.eval_with_densities(wo, wi);
-            (value, mixture(&scattering.selection(wo), &densities))
-        })
+        with_overrides!(self, overrides, |scattering| eval_pdf(scattering, wo, wi))
     }
 
     fn lobes(
@@ -47,12 +45,7 @@ impl<T: Precision, S: Scattering<T>> Kernel<T> for Mixture<S> {
         wo: Vec3<T>,
         wi: Vec3<T>,
     ) -> (PerLobe<T>, PerLobe<T>) {
-        with_overrides!(self, overrides, |scattering| {
-            (
-                scattering.selection(wo),
-                scattering.eval_with_densities(wo, wi).1,
-            )
-        })
+        with_overrides!(self, overrides, |scattering| lobes(scattering, wo, wi))
     }
 
     fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
@@ -66,8 +59,33 @@ impl<T: Precision, S: Scattering<T>> Kernel<T> for Mixture<S> {
     }
 }
 
+/// Value, and the density of all lobes together.
 #[inline(always)]
-fn sample<T: Precision, S: Scattering<T>>(
+pub(super) fn eval_pdf<T: Precision, S: Scattering<T>>(
+    scattering: &S,
+    wo: Vec3<T>,
+    wi: Vec3<T>,
+) -> (Rgb<T>, T) {
+    let (value, densities) = scattering.eval_with_densities(wo, wi);
+    (value, mixture(&scattering.selection(wo), &densities))
+}
+
+/// Probability and density of each lobe.
+#[inline(always)]
+pub(super) fn lobes<T: Precision, S: Scattering<T>>(
+    scattering: &S,
+    wo: Vec3<T>,
+    wi: Vec3<T>,
+) -> (PerLobe<T>, PerLobe<T>) {
+    (
+        scattering.selection(wo),
+        scattering.eval_with_densities(wo, wi).1,
+    )
+}
+
+/// A direction of a lobe chosen by the first number.
+#[inline(always)]
+pub(super) fn sample<T: Precision, S: Scattering<T>>(
     scattering: &S,
     wo: Vec3<T>,
     u: [T; 3],

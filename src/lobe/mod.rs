@@ -4,12 +4,16 @@
 //! lobe has no density), and add its line to `registry.rs`. Everything else (creation, validation, the C interface, the laws that every
 //! model is tested against, the table in the README) follows from the registry.
 
+mod disney_diffuse;
 mod film;
 mod info;
 mod kernel;
 mod lambert;
 mod layered;
+mod metallic_roughness;
+mod microfacet;
 mod mixture;
+mod oren_nayar;
 mod phong;
 mod power_lobe;
 mod precision;
@@ -18,10 +22,10 @@ mod registry;
 mod scattering;
 mod values;
 
-pub use info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+pub use info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
 pub use kernel::{Direction, Kernel, Override};
 pub use mixture::Mixture;
 pub use precision::Precision;
 pub use registry::{Entry, find, models};
 pub use scattering::{MAX_LOBES, Model, PerLobe, Scattering};
-pub use values::Values;
+pub use values::{Bounds, Values};

@@ -7,6 +7,14 @@
 //! not divided by the cosine, and its albedo is `specular` at normal incidence and less elsewhere.
 //! diffuse + specular must not exceed 1 in any channel. Use it for plastics and as a baseline; it
 //! darkens towards grazing angles, where real surfaces brighten.
+//!
+//! **Ambient**: Phong's third term, ambient + diffuse + specular in the lecture's picture, stands for
+//! light from everywhere that nobody computes. It is a light and not a property of the surface, so it is
+//! no parameter here. A renderer adds to the light it has gathered, once per visible point,
+//! `ambient` times a reflectance, where `ambient` is the radiance that comes from everywhere: Phong's
+//! own reflectance is the diffuse colour; what this surface returns under such a light is its
+//! directional albedo (`Bsdf::albedo`, `pellicle_bsdf_albedo`, for preparation as it integrates). A
+//! renderer that computes light between surfaces has that light already and leaves the term out.
 
 use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
 use super::mixture::Mixture;
@@ -15,7 +23,7 @@ use super::power_lobe::{
 };
 use super::precision::Precision;
 use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
-use super::values::Values;
+use super::values::{Bounds, Values};
 use crate::error::Error;
 use crate::math::{Element, PI, Real, Rgb, Vec3, warp};
 
@@ -83,13 +91,15 @@ impl Model for Phong {
             },
         ],
         film_thickness: None,
+        film_choice: None,
         not_reciprocal: None,
         not_conserving: None,
     };
 
     type Prepared<T: Precision> = Mixture<Prepared<T>>;
 
-    fn check(upper: &Values<f32>) -> Result<(), Error> {
+    fn check(bounds: &Bounds) -> Result<(), Error> {
+        let upper = &bounds.greatest;
         let (diffuse, specular) = (upper.rgb(DIFFUSE), upper.rgb(SPECULAR));
         for channel in 0..3 {
             let sum = diffuse[channel] + specular[channel];
@@ -103,12 +113,12 @@ impl Model for Phong {
         Ok(())
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Mixture<Prepared<T>> {
-        Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> Result<Mixture<Prepared<T>>, Error> {
+        Ok(Mixture(Prepared {
             diffuse: values.rgb(DIFFUSE),
             specular: values.rgb(SPECULAR),
             exponent: values.number(EXPONENT),
-        })
+        }))
     }
 }
 

@@ -1,20 +1,28 @@
 //! The list of models. A new model adds its line here and nothing anywhere else.
 
+use super::disney_diffuse::DisneyDiffuse;
 use super::film::ThinFilm;
-use super::info::ModelInfo;
+use super::info::{LobeInfo, ModelInfo};
 use super::kernel::Kernel;
 use super::lambert::Lambert;
 use super::layered::Layered;
+use super::metallic_roughness::MetallicRoughness;
+use super::microfacet::Microfacet;
+use super::oren_nayar::OrenNayar;
 use super::phong::Phong;
 use super::scattering::Model;
-use super::values::Values;
+use super::values::{Bounds, Values};
 use crate::error::Error;
 
-static MODELS: [Entry; 4] = [
+static MODELS: [Entry; 8] = [
     Entry::of::<Lambert>(),
+    Entry::of::<OrenNayar>(),
+    Entry::of::<DisneyDiffuse>(),
     Entry::of::<Phong>(),
     Entry::of::<Layered>(),
     Entry::of::<ThinFilm>(),
+    Entry::of::<Microfacet>(),
+    Entry::of::<MetallicRoughness>(),
 ];
 
 /// All models.
@@ -28,20 +36,23 @@ pub fn find(name: &str) -> Result<&'static Entry, Error> {
     found.ok_or_else(|| Error::unknown("model", name, MODELS.iter().map(Entry::name)))
 }
 
+/// What compiling a model gives.
+type Compiled<T> = Result<Box<dyn Kernel<T>>, Error>;
+
 /// A registered model: its description and its compiler in either precision.
 pub struct Entry {
     /// What the model says about itself.
     pub info: &'static ModelInfo,
     /// [`Model::needs_film`].
     pub needs_film: fn(&Values<f32>) -> bool,
-    /// [`Model::lobe_count`].
-    pub lobe_count: fn(&Values<f32>) -> usize,
+    /// [`Model::lobes`].
+    pub lobes: fn(&Values<f32>) -> &'static [LobeInfo],
     /// [`Model::check`].
-    pub check: fn(&Values<f32>) -> Result<(), Error>,
+    pub check: fn(&Bounds) -> Result<(), Error>,
     /// [`Model::prepare`] in single precision.
-    pub prepare_f32: fn(&Values<f32>) -> Box<dyn Kernel<f32>>,
+    pub prepare_f32: fn(&Values<f32>) -> Compiled<f32>,
     /// [`Model::prepare`] in double precision: the oracle.
-    pub prepare_f64: fn(&Values<f64>) -> Box<dyn Kernel<f64>>,
+    pub prepare_f64: fn(&Values<f64>) -> Compiled<f64>,
 }
 
 impl Entry {
@@ -49,10 +60,10 @@ impl Entry {
         Self {
             info: const { &M::INFO },
             needs_film: M::needs_film,
-            lobe_count: M::lobe_count,
+            lobes: M::lobes,
             check: M::check,
-            prepare_f32: |values| Box::new(M::prepare(values)),
-            prepare_f64: |values| Box::new(M::prepare(values)),
+            prepare_f32: |values| Ok(Box::new(M::prepare(values)?)),
+            prepare_f64: |values| Ok(Box::new(M::prepare(values)?)),
         }
     }
 

@@ -1,10 +1,10 @@
 //! The two traits that a model implements.
 
-use super::info::ModelInfo;
+use super::info::{Choice, LobeInfo, ModelInfo};
 use super::kernel::Kernel;
 use super::precision::Precision;
 use super::quadrature;
-use super::values::Values;
+use super::values::{Bounds, Values};
 use crate::error::Error;
 use crate::math::{Element, Real, Rgb, Vec3};
 
@@ -23,23 +23,23 @@ pub trait Model: 'static {
     type Prepared<T: Precision>: Kernel<T> + 'static;
 
     /// Whether the model with these values uses a film; without one it cannot be compiled then.
-    fn needs_film(_values: &Values<f32>) -> bool {
-        Self::INFO.film_thickness.is_some()
+    fn needs_film(values: &Values<f32>) -> bool {
+        let is_made = |choice: Choice| values.choice(choice.param) == choice.choice;
+        Self::INFO.film_thickness.is_some() && Self::INFO.film_choice.is_none_or(is_made)
     }
 
-    /// How many of the lobes there are with these values, counted from the first.
-    fn lobe_count(_values: &Values<f32>) -> usize {
-        Self::INFO.lobes.len()
+    /// Those of the lobes that there are with these values.
+    fn lobes(_values: &Values<f32>) -> &'static [LobeInfo] {
+        Self::INFO.lobes
     }
 
-    /// Refuses combinations of values that are each within their own range. `upper` holds the
-    /// greatest value that each parameter can take: its value, or the upper end of its varying range.
-    fn check(_upper: &Values<f32>) -> Result<(), Error> {
+    /// Refuses combinations of values that are each within their own range.
+    fn check(_bounds: &Bounds) -> Result<(), Error> {
         Ok(())
     }
 
-    /// Compiles validated values.
-    fn prepare<T: Precision>(values: &Values<T>) -> Self::Prepared<T>;
+    /// Compiles validated values. Fails only for want of memory for tables.
+    fn prepare<T: Precision>(values: &Values<T>) -> Result<Self::Prepared<T>, Error>;
 }
 
 /// A compiled model whose lobes all reflect and have a density; [`Mixture`](super::Mixture) makes a
@@ -47,7 +47,7 @@ pub trait Model: 'static {
 ///
 /// Every direction passed in is valid and has z > 0; the caller has seen to it. Directions returned
 /// may have z <= 0 or be null: then there is no sample.
-pub trait Scattering<T: Element>: Copy + Send + Sync + 'static {
+pub trait Scattering<T: Element>: Copy + Send + Sync {
     /// Replaces the value of a parameter that varies per call. A scalar is in all three places; a
     /// direction is unit.
     fn vary(&mut self, param: usize, value: [T; 3]);

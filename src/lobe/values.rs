@@ -5,11 +5,20 @@ use crate::film::Film;
 use crate::math::{Real, Rgb, Vec3};
 use std::sync::Arc;
 
+/// What each parameter can be: its own value and its varying range together.
+pub struct Bounds {
+    /// The least value of every component; choices and film as they are.
+    pub least: Values<f32>,
+    /// The greatest value of every component.
+    pub greatest: Values<f32>,
+}
+
 /// One entry per parameter of a model, in the order of [`ModelInfo::params`], and the film.
 #[derive(Clone)]
 pub struct Values<T> {
     numbers: Vec<[T; 3]>,
     choices: Vec<usize>,
+    varies: Vec<bool>,
     film: Option<Arc<Film>>,
 }
 
@@ -26,6 +35,7 @@ impl<T: Real> Values<T> {
         Self {
             numbers: numbers.collect(),
             choices: vec![0; info.params.len()],
+            varies: vec![false; info.params.len()],
             film: None,
         }
     }
@@ -38,6 +48,11 @@ impl<T: Real> Values<T> {
     /// Sets the choice of a parameter.
     pub fn set_choice(&mut self, param: usize, choice: usize) {
         self.choices[param] = choice;
+    }
+
+    /// Declares that a parameter is given per call; its value here is what it is otherwise.
+    pub fn set_varying(&mut self, param: usize) {
+        self.varies[param] = true;
     }
 
     /// Sets the film.
@@ -58,6 +73,11 @@ impl<T: Real> Values<T> {
     /// The index of the choice made for a parameter.
     pub fn choice(&self, param: usize) -> usize {
         self.choices[param]
+    }
+
+    /// Whether a parameter is given per call: what depends on it cannot be compiled in.
+    pub fn varies(&self, param: usize) -> bool {
+        self.varies[param]
     }
 
     /// The film, which a model that needs one has.

@@ -1,13 +1,18 @@
 //! The arithmetic that every formula is written in: the trait [`Real`], its elementary functions,
 //! three-vectors and warps of the unit square. Nothing here knows about optics.
 
+mod arctangent;
 mod elementary;
+mod error_function;
 mod lanes;
 mod real;
 mod rgb;
+pub(crate) mod spline;
 mod vector;
 pub mod warp;
 
+pub(crate) use arctangent::angle_turns;
+pub(crate) use error_function::{erfcx, erfinv};
 pub use real::{Mask, Real};
 pub use rgb::Element;
 pub use vector::{Rgb, Vec3};

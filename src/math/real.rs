@@ -42,6 +42,9 @@ pub trait Real:
     /// One truth value per lane.
     type Mask: Mask;
 
+    /// The distance from 1 to the next number: how many terms of a series are worth their time.
+    const EPSILON: f64;
+
     /// The same constant in every lane, rounded once from double precision.
     fn new(value: f64) -> Self;
 
@@ -112,6 +115,7 @@ pub trait Real:
 macro_rules! scalar_operations {
     ($t:ty) => {
         type Mask = bool;
+        const EPSILON: f64 = <$t>::EPSILON as f64;
         #[inline(always)]
         fn new(value: f64) -> Self {
             value as $t

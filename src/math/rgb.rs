@@ -23,6 +23,11 @@ pub trait Element: Real {
     /// # Panics
     /// If they are not all in the table.
     fn load_block(table: &[[Self; 4]], from: usize, stride: usize) -> [[Self::Rgb; 3]; 3];
+    /// The entry of a table whose number is the nearest to the whole number `index`; the first for NaN.
+    ///
+    /// # Panics
+    /// If the table is empty.
+    fn load_entry<const N: usize>(table: &[[Self; N]], index: Self) -> [Self; N];
 }
 
 /// Numbers whose channels have no register to share.
@@ -50,6 +55,10 @@ macro_rules! side_by_side {
                         Triple([r, g, b])
                     })
                 })
+            }
+            #[inline(always)]
+            fn load_entry<const N: usize>(table: &[[$t; N]], index: $t) -> [$t; N] {
+                table[(index as usize).min(table.len() - 1)]
             }
         }
     };
@@ -130,6 +139,7 @@ macro_rules! channelwise {
 
 impl<T: Real> Real for Triple<T> {
     type Mask = Triple<T::Mask>;
+    const EPSILON: f64 = T::EPSILON;
 
     #[inline(always)]
     fn new(value: f64) -> Self {

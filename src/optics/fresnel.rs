@@ -1,5 +1,6 @@
-//! Fresnel reflectance between two dielectrics, exact and in Schlick's approximation.
+//! Fresnel reflectance of one interface, exact and in Schlick's approximation.
 
+use super::Complex;
 use crate::math::Real;
 
 /// Reflectance at normal incidence between indices `eta_outside` and `eta_inside` (both > 0):
@@ -12,8 +13,13 @@ pub fn normal_reflectance<T: Real>(eta_outside: T, eta_inside: T) -> T {
 /// Reflectance f + (1 - f)(1 - cos)^5 for `cos_theta` in [0, 1]: Schlick 1994, GH02 eq. 7.
 #[inline(always)]
 pub fn schlick<T: Real>(f0: T, cos_theta: T) -> T {
-    let one = T::new(1.0);
-    f0 + (one - f0) * (one - cos_theta).pow5()
+    schlick_between(f0, T::new(1.0), cos_theta)
+}
+
+/// [`schlick`] with a reflectance `f90` at grazing angles in place of 1.
+#[inline(always)]
+pub fn schlick_between<T: Real>(f0: T, f90: T, cos_theta: T) -> T {
+    f0 + (f90 - f0) * (T::new(1.0) - cos_theta).pow5()
 }
 
 /// Transmittance (1 - f)(1 - (1 - cos)^5), the complement of [`schlick`]: GH02 eq. 9.
@@ -37,6 +43,28 @@ pub fn dielectric_reflectance<T: Real>(cos_theta: T, eta: T) -> T {
     let ratio = |a: T| ((a - q) / T::select(is_matched, one, a + q)).squared();
     let reflectance = (ratio(cos_theta) + ratio(along)) * half;
     let reflectance = T::select(q_squared.le(zero), one, reflectance);
+    T::select(is_matched, zero, reflectance)
+}
+
+/// Reflectance of unpolarised light from vacuum, `cos_theta` in [0, 1], on a medium of index
+/// eta + i k, eta > 0 and k >= 0: Born and Wolf, "Principles of Optics", section 14.2. With k = 0 it is
+/// [`dielectric_reflectance`].
+///
+/// q = n cos(angle inside) from q^2 = n^2 - sin^2, whose real part is (eta - 1)(eta + 1) - k^2 + cos^2:
+/// no cancellation for indices close to 1.
+#[inline(always)]
+pub fn conductor_reflectance<T: Real>(cos_theta: T, eta: T, k: T) -> T {
+    let (zero, half, one) = (T::new(0.0), T::new(0.5), T::new(1.0));
+    let excess = Complex::new(
+        (eta - one) * (eta + one) - k.squared(),
+        T::new(2.0) * eta * k,
+    );
+    let q = (excess + Complex::real(cos_theta.squared())).sqrt_upper();
+    let is_matched = excess.equals(Complex::real(zero));
+    let along = (excess + Complex::real(one)).scaled(cos_theta);
+    let ratio =
+        |a: Complex<T>| (a - q).norm_squared() / T::select(is_matched, one, (a + q).norm_squared());
+    let reflectance = (ratio(Complex::real(cos_theta)) + ratio(along)) * half;
     T::select(is_matched, zero, reflectance)
 }
 
@@ -107,6 +135,64 @@ mod tests {
                     };
                 let error = (f64::from(single) - double).abs();
                 assert!(error <= allowed, "{eta} {c}: {single} {double}");
+            }
+        }
+    }
+
+    /// At normal incidence ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2); everything at grazing angles;
+    /// without absorption the dielectric's values, total reflection included.
+    #[test]
+    fn conductor_reflectance_has_textbook_values() {
+        for eta in ETAS {
+            for k in [0.0, 0.1, 3.0, 20.0f64] {
+                let normal = ((eta - 1.0).powi(2) + k * k) / ((eta + 1.0).powi(2) + k * k);
+                assert!((conductor_reflectance(1.0, eta, k) - normal).abs() < 1e-15);
+                assert!((conductor_reflectance(0.0, eta, k) - 1.0).abs() < 1e-15);
+            }
+            for i in 0..=1000 {
+                let c = f64::from(i) / 1000.0;
+                let expected = dielectric_reflectance(c, eta);
+                let found = conductor_reflectance(c, eta, 0.0);
+                assert!(
+                    (found - expected).abs() < 1e-12,
+                    "{eta} {c}: {found} {expected}"
+                );
+                let nearly = conductor_reflectance(c, eta, 1e-12);
+                assert!(
+                    (nearly - expected).abs() < 1e-5,
+                    "{eta} {c}: {nearly} {expected}"
+                );
+            }
+        }
+        assert_eq!(conductor_reflectance(0.0, 1.0, 0.0), 0.0);
+    }
+
+    /// In single precision, over everything that the models accept.
+    #[test]
+    fn conductor_reflectance_keeps_its_digits() {
+        for eta in [0.01, 0.2, 0.999, 1.0, 1.001, 1.5, 10.0f32] {
+            for k in [0.0, 1e-6, 1e-3, 0.5, 4.0, 20.0f32] {
+                for i in 0..=1000u16 {
+                    let c = (f32::from(i) / 1000.0).powi(2);
+                    let single = conductor_reflectance(c, eta, k);
+                    let double = conductor_reflectance(f64::from(c), f64::from(eta), f64::from(k));
+                    assert!(
+                        (0.0..=1.000_001).contains(&single),
+                        "{eta} {k} {c}: {single}"
+                    );
+                    // Near the critical angle of eta < 1 rounding of the cosine is magnified.
+                    let gap = f64::from(c).powi(2) + f64::from(eta).powi(2) - 1.0;
+                    let magnified = if eta < 1.0 {
+                        1e-6 / gap.abs().sqrt().max(1e-3)
+                    } else {
+                        0.0
+                    };
+                    let error = (f64::from(single) - double).abs();
+                    assert!(
+                        error <= 2e-6 + magnified,
+                        "{eta} {k} {c}: {single} {double}"
+                    );
+                }
             }
         }
     }

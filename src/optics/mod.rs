@@ -13,7 +13,10 @@ pub mod stack;
 pub use color::{ChannelWeights, ColorSpace, VISIBLE_NM, White, matching_functions};
 pub use complex::Complex;
 pub use dispersion::Medium;
-pub use fresnel::{dielectric_reflectance, normal_reflectance, schlick, schlick_transmittance};
+pub use fresnel::{
+    conductor_reflectance, dielectric_reflectance, normal_reflectance, schlick, schlick_between,
+    schlick_transmittance,
+};
 pub use media::Named;
 pub use reference::{Converged, Reference, TOLERANCE};
 pub use refraction::Interface;

@@ -40,6 +40,10 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// Those that are quick to evaluate: all but the prism's inner face, whose critical angles leave
+    /// no table, so that a colour takes half a millisecond.
+    pub const QUICK: [Self; 4] = [Self::Lens, Self::Metal, Self::Bubble, Self::Sunglasses];
+
     pub const ALL: [Self; 5] = [
         Self::Lens,
         Self::Metal,

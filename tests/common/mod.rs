@@ -7,7 +7,7 @@ pub mod films;
 use films::Kind;
 use glam::{DVec3, Vec3};
 use pellicle::lobe::{Entry, Exception, Flags, ParamKind, Values};
-use pellicle::{Bsdf, Description, Scalar};
+use pellicle::{Bsdf, Description, Scalar, Status};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -47,12 +47,13 @@ pub fn uniforms(rng: &mut impl Rng) -> [f32; 3] {
 }
 
 /// A number in [min, max]: half of the time spread evenly, half by its logarithm, so that wide
-/// ranges are seen at every scale; now and then an end itself.
+/// ranges are seen at every scale, and so is what lies next to 0; now and then an end itself.
 fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
     match rng.random_range(0..16) {
         0 => min,
         1 => max,
         2..=8 => min + (max - min) * rng.random::<f32>(),
+        9..=10 if min == 0.0 => max * (-4.0 * rng.random::<f32>()).exp2().powf(3.3),
         _ => min + ((max - min + 1.0).ln() * rng.random::<f32>()).exp_m1(),
     }
     .clamp(min, max)
@@ -70,8 +71,9 @@ pub fn visible<T: Scalar>(bsdf: &Bsdf<T>, rng: &mut impl Rng) -> DVec3 {
 
 /// Whether no lobe has a density.
 pub fn is_dirac<T: Scalar>(bsdf: &Bsdf<T>) -> bool {
-    let lobes = &bsdf.info().lobes[..bsdf.lobe_count()];
-    lobes.iter().all(|lobe| lobe.flags.contains(Flags::DELTA))
+    bsdf.lobe_infos()
+        .iter()
+        .all(|lobe| lobe.flags.contains(Flags::DELTA))
 }
 
 /// A model's name and every parameter at its default, with a film if it needs one then.
@@ -87,6 +89,25 @@ pub fn defaults(entry: &Entry) -> Description {
     }
 }
 
+/// So many combinations of choices are all tried; of further ones some.
+const MOST_COMBINATIONS: usize = 128;
+
+/// How many combinations of a model's choices [`Drawn::new`] runs through.
+pub fn combinations(entry: &Entry) -> u64 {
+    let counts = entry.info.params.iter().map(|param| match param.kind {
+        ParamKind::Choice { choices } => choices.len(),
+        _ => 1,
+    });
+    let extended = |product, count| {
+        if product * count <= MOST_COMBINATIONS {
+            product * count
+        } else {
+            product
+        }
+    };
+    counts.fold(1, extended) as u64
+}
+
 /// A model with random parameters, all within their ranges.
 pub struct Drawn {
     pub entry: &'static Entry,
@@ -95,20 +116,30 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// Draws until the combination is valid too (weights that must not sum to more than 1).
-    pub fn new(entry: &'static Entry, rng: &mut impl Rng) -> Self {
-        loop {
-            let drawn = Self::candidate(entry, rng);
+    /// Draws until the combination is valid too (weights that must not sum to more than 1, parameters
+    /// that not every choice takes). Seeds in a row run through all combinations of the choices.
+    pub fn new(entry: &'static Entry, seed: u64) -> Self {
+        let mut rng = rng(seed);
+        for _ in 0..10_000 {
+            let drawn = Self::candidate(entry, seed, &mut rng);
             match Bsdf::<f32>::new(&drawn.description) {
                 Ok(_) => return drawn,
-                Err(error) => assert!(error.message.contains("exceeds 1"), "{error}"),
+                Err(error) => assert!(
+                    matches!(error.status, Status::OutOfRange | Status::Unsupported),
+                    "{error}"
+                ),
             }
         }
+        panic!("no valid parameters found for {}", entry.name());
     }
 
-    fn candidate(entry: &'static Entry, rng: &mut impl Rng) -> Self {
+    /// The choices follow from the combination's number as long as they are not too many, the others
+    /// are drawn.
+    fn candidate(entry: &'static Entry, combination: u64, rng: &mut impl Rng) -> Self {
         let mut description = Description::new(entry.name());
         let mut choices = Vec::new();
+        let mut rest = combination;
+        let mut combinations = 1;
         let mut values = Values::defaults(entry.info);
         for (index, param) in entry.info.params.iter().enumerate() {
             if entry.info.film_thickness == Some(index) {
@@ -140,6 +171,11 @@ impl Drawn {
                 }
                 ParamKind::Choice { choices } => {
                     choice = rng.random_range(0..choices.len());
+                    if combinations * choices.len() <= MOST_COMBINATIONS {
+                        combinations *= choices.len();
+                        choice = rest as usize % choices.len();
+                        rest /= choices.len() as u64;
+                    }
                     let name = choices[choice].to_str().unwrap();
                     description = description.choose(param.name(), name);
                     values.set_choice(index, choice);
@@ -148,7 +184,15 @@ impl Drawn {
             choices.push(choice);
         }
         if (entry.needs_film)(&values) {
-            let film = Kind::ALL[rng.random_range(0..Kind::ALL.len())].film();
+            // A smooth surface asks for a colour or two, a rough one for thousands.
+            let mut lobes = entry.info.lobes.iter();
+            let is_dirac = lobes.all(|lobe| lobe.flags.contains(Flags::DELTA));
+            let kinds = if is_dirac {
+                &Kind::ALL[..]
+            } else {
+                &Kind::QUICK
+            };
+            let film = kinds[rng.random_range(0..kinds.len())].film();
             let thickness = entry.info.film_thickness.unwrap();
             if let Some([min, max]) = film.varying_thickness_nm() {
                 let thickness_nm = number(rng, min as f32, max as f32);
@@ -167,7 +211,7 @@ impl Drawn {
     pub fn is_excepted(&self, exception: &Option<Exception>) -> bool {
         exception
             .as_ref()
-            .is_some_and(|exception| self.choices[exception.param] == exception.choice)
+            .is_some_and(|exception| exception.applies(|param| self.choices[param]))
     }
 
     pub fn single(&self) -> Bsdf<f32> {

@@ -45,11 +45,11 @@ mod sampling;
 #[cfg(test)]
 mod tests;
 
-use super::info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
 use super::mixture::Mixture;
 use super::precision::Precision;
 use super::scattering::Model;
-use super::values::Values;
+use super::values::{Bounds, Values};
 use crate::error::Error;
 pub use prepared::Prepared;
 
@@ -69,6 +69,10 @@ const VARIANT: usize = 9;
 const PHASE_SHIFT: usize = 10;
 
 const VARIANT_PAPER: usize = 1;
+const PAPER: Choice = Choice {
+    param: VARIANT,
+    choice: VARIANT_PAPER,
+};
 const PHASE_SHIFT_HALF_WAVE: usize = 1;
 
 const MIRROR_LOBE: usize = 0;
@@ -170,21 +174,21 @@ impl Model for Layered {
             LobeInfo { name: c"diffuse", flags: Flags::REFLECTION.with(Flags::DIFFUSE) },
         ],
         film_thickness: None,
+        film_choice: None,
         not_reciprocal: Some(Exception {
-            param: VARIANT,
-            choice: VARIANT_PAPER,
+            cases: &[&[PAPER]],
             reason: c"variant = paper: the Fresnel factor takes the light's cosine alone, and the two crossings of the upper boundary take cosines in different media",
         }),
         not_conserving: Some(Exception {
-            param: VARIANT,
-            choice: VARIANT_PAPER,
+            cases: &[&[PAPER]],
             reason: c"variant = paper: the lobes are not normalised, and the diffuse part reaches 2 / pi",
         }),
     };
 
     type Prepared<T: Precision> = Mixture<Prepared<T>>;
 
-    fn check(upper: &Values<f32>) -> Result<(), Error> {
+    fn check(bounds: &Bounds) -> Result<(), Error> {
+        let upper = &bounds.greatest;
         let specular = upper.number(SPECULAR_WEIGHT);
         let diffuse = upper.number(DIFFUSE_WEIGHT);
         let sum = specular + diffuse;
@@ -197,7 +201,7 @@ impl Model for Layered {
         Ok(())
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Mixture<Prepared<T>> {
-        Mixture(Prepared::new(values))
+    fn prepare<T: Precision>(values: &Values<T>) -> Result<Mixture<Prepared<T>>, Error> {
+        Ok(Mixture(Prepared::new(values)))
     }
 }

@@ -55,6 +55,10 @@ impl Element for f32 {
             })
         })
     }
+    #[inline(always)]
+    fn load_entry<const N: usize>(table: &[[f32; N]], index: f32) -> [f32; N] {
+        table[(index as usize).min(table.len() - 1)]
+    }
 }
 
 macro_rules! operator {
@@ -104,6 +108,7 @@ impl Mask for RgbMask {
 
 impl Real for RgbLanes {
     type Mask = RgbMask;
+    const EPSILON: f64 = f32::EPSILON as f64;
 
     #[inline(always)]
     fn new(value: f64) -> Self {

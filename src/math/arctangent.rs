@@ -1,6 +1,6 @@
 //! The angle of a vector, over any [`Real`].
 
-use crate::math::{PI, Real};
+use super::{PI, Real};
 
 /// tan(pi / 8): below it the polynomial serves.
 const EIGHTH: f64 = std::f64::consts::SQRT_2 - 1.0;
@@ -21,7 +21,7 @@ const POLYNOMIAL: [f64; 8] = [
 /// The angle of the vector (x, y) from the first axis in turns, in [-1/2, 1/2]; 0 for the null
 /// vector. Relative error 1e-12 or the type's rounding, also where the angle is small.
 #[inline(always)]
-pub(super) fn angle_turns<T: Real>(y: T, x: T) -> T {
+pub(crate) fn angle_turns<T: Real>(y: T, x: T) -> T {
     let (zero, one) = (T::new(0.0), T::new(1.0));
     let (ay, ax) = (y.abs(), x.abs());
     // The angle of (large, small) is at most 1/8; beyond 1/16 it is measured from the diagonal.

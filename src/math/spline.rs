@@ -1,9 +1,9 @@
 //! Quadratic splines through equidistant values.
 
-use crate::math::{Real, Rgb};
+use super::{Real, Rgb};
 
 /// The least number of values.
-pub(super) const LEAST_VALUES: usize = 5;
+pub(crate) const LEAST_VALUES: usize = 5;
 
 /// Turns values at n >= 5 equidistant points into the n + 2 control points of the quadratic B-spline
 /// through them; the first belongs a step before the first value. Its polynomials meet halfway between
@@ -11,7 +11,7 @@ pub(super) const LEAST_VALUES: usize = 5;
 /// Splines", chapter IV: "not a knot"), which keeps the order 3 up to the ends.
 ///
 /// The spline at value k is (c(k - 1) + 6 c(k) + c(k + 1)) / 8.
-pub(super) fn controls(values: &[Rgb<f64>], out: &mut Vec<Rgb<f64>>) {
+pub(crate) fn controls(values: &[Rgb<f64>], out: &mut Vec<Rgb<f64>>) {
     let n = values.len();
     let combine = |a: [f64; 3], f: [Rgb<f64>; 3]| -> Rgb<f64> {
         std::array::from_fn(|c| a[0] * f[0][c] + a[1] * f[1][c] + a[2] * f[2][c])
@@ -50,7 +50,7 @@ pub(super) fn controls(values: &[Rgb<f64>], out: &mut Vec<Rgb<f64>>) {
 
 /// The weights of the three control points around a value, a distance in [-1/2, 1/2] from it.
 #[inline(always)]
-pub(super) fn weights<T: Real>(distance: T) -> [T; 3] {
+pub(crate) fn weights<T: Real>(distance: T) -> [T; 3] {
     let half = T::new(0.5);
     let square = distance * distance;
     let before = (square - distance) * half + T::new(0.125);
@@ -59,7 +59,7 @@ pub(super) fn weights<T: Real>(distance: T) -> [T; 3] {
 
 /// Where between the values the spline's error is greatest, from the nearest one: there t^3 - t / 4,
 /// the shape of the leading term, is; it is 0 at the values and halfway between them.
-pub(super) const FARTHEST: f64 = 0.288_675; // 1 / sqrt(12)
+pub(crate) const FARTHEST: f64 = 0.288_675; // 1 / sqrt(12)
 
 #[cfg(test)]
 mod tests {

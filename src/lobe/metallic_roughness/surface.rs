@@ -1,0 +1,266 @@
+//! The compiled model, and the surface that it is for one call.
+
+use super::{
+    BASE_COLOR, DIFFUSE, DIFFUSE_LOBE, DIFFUSE_ROUGHNESS, DISNEY, ETA, F0, INDEX, METALLIC,
+    OREN_NAYAR, ROUGHNESS, SPECULAR, SPECULAR_LOBE,
+};
+use crate::lobe::disney_diffuse;
+use crate::lobe::kernel::{Direction, Kernel, Override};
+use crate::lobe::microfacet::distribution::Normals;
+use crate::lobe::microfacet::energy::{Albedo, Energy, LEAST_ALPHA, Reflected, Row};
+use crate::lobe::microfacet::ggx::Ggx;
+use crate::lobe::microfacet::masking::{Masking, Pair};
+use crate::lobe::mixture;
+use crate::lobe::oren_nayar::Facets;
+use crate::lobe::power_lobe::mean;
+use crate::lobe::precision::Precision;
+use crate::lobe::scattering::{MAX_LOBES, PerLobe, Scattering, normalized};
+use crate::lobe::values::Values;
+use crate::math::{Element, PI, Real, Rgb, Vec3, warp};
+use crate::optics::{normal_reflectance, schlick};
+
+/// Least divisor 1 - E_avg: the table's error. Below it, with F0 within 1e-3 of 1, the diffuse part
+/// is darker than it could be.
+const LEAST_REMAINDER: f64 = 1e-3;
+
+/// Least share of the highlight in sampling: where the table's error may hide it, it is still found.
+const LEAST_SHARE: f64 = 1e-3;
+
+/// The compiled model.
+pub struct Prepared<T: Element> {
+    energy: Energy<T>,
+    settings: Settings<T>,
+}
+
+/// The diffuse part's form and what it needs.
+#[derive(Clone, Copy)]
+enum Diffuse<T> {
+    Lambert,
+    OrenNayar(Facets<T>),
+    Disney(T),
+}
+
+#[derive(Clone, Copy)]
+struct Settings<T: Element> {
+    base_color: T::Rgb,
+    metallic: T,
+    alpha: T,
+    row: Row<T>,
+    /// Whether `f0` follows from the index.
+    is_by_index: bool,
+    /// Of the dielectric.
+    f0: T,
+    diffuse: Diffuse<T>,
+}
+
+impl<T: Precision> Prepared<T> {
+    pub(super) fn new(values: &Values<T>) -> Self {
+        let lobe = |alpha, wo, u| {
+            let normals = Ggx::isotropic(alpha);
+            Reflected::by_visible_normals(&normals, Masking::Smith, [alpha; 2], wo, u)
+        };
+        let alpha = alpha_of(values.number(ROUGHNESS));
+        let energy = if values.varies(ROUGHNESS) {
+            Energy::over_alpha(lobe)
+        } else {
+            Energy::of_alpha(alpha, |wo, u| lobe(alpha, wo, u))
+        };
+        let is_by_index = values.choice(SPECULAR) == INDEX;
+        let roughness = values.number(DIFFUSE_ROUGHNESS);
+        let settings = Settings {
+            base_color: T::rgb(values.rgb(BASE_COLOR)),
+            metallic: values.number(METALLIC),
+            alpha,
+            row: energy.row(alpha),
+            is_by_index,
+            f0: if is_by_index {
+                normal_reflectance(T::new(1.0), values.number(ETA))
+            } else {
+                values.number(F0)
+            },
+            diffuse: match values.choice(DIFFUSE) {
+                OREN_NAYAR => Diffuse::OrenNayar(Facets::new(roughness)),
+                DISNEY => Diffuse::Disney(roughness),
+                _ => Diffuse::Lambert,
+            },
+        };
+        Self { energy, settings }
+    }
+
+    /// With the parameters of one call.
+    #[inline(always)]
+    fn surface(&self, overrides: &[Override<T>]) -> Surface<'_, T> {
+        let mut surface = Surface {
+            energy: &self.energy,
+            settings: self.settings,
+        };
+        for change in overrides {
+            surface.vary(change.param, change.value);
+        }
+        surface
+    }
+}
+
+#[inline(always)]
+fn alpha_of<T: Real>(roughness: T) -> T {
+    roughness.squared().max(T::new(LEAST_ALPHA))
+}
+
+impl<T: Precision> Kernel<T> for Prepared<T> {
+    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        self.surface(overrides).eval(wo, wi)
+    }
+
+    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
+        mixture::eval_pdf(&self.surface(overrides), wo, wi)
+    }
+
+    fn lobes(
+        &self,
+        overrides: &[Override<T>],
+        wo: Vec3<T>,
+        wi: Vec3<T>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        mixture::lobes(&self.surface(overrides), wo, wi)
+    }
+
+    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
+        mixture::sample(&self.surface(overrides), wo, u)
+    }
+
+    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
+        Scattering::albedo(&self.surface(overrides), wo)
+    }
+}
+
+/// A surface for one call.
+#[derive(Clone, Copy)]
+struct Surface<'a, T: Element> {
+    energy: &'a Energy<T>,
+    settings: Settings<T>,
+}
+
+impl<T: Precision> Surface<'_, T> {
+    /// F0 of the highlight: from the dielectric's to the base colour.
+    #[inline(always)]
+    fn specular_f0(&self) -> T::Rgb {
+        let Settings {
+            base_color,
+            metallic,
+            f0,
+            ..
+        } = self.settings;
+        (f0 * (T::new(1.0) - metallic)).gray() + base_color * metallic.gray()
+    }
+
+    #[inline(always)]
+    fn albedo_at(&self, w: Vec3<T>) -> Albedo<T> {
+        self.energy.albedo(&self.settings.row, w.z)
+    }
+
+    /// 1 - E of the dielectric.
+    #[inline(always)]
+    fn remainder(&self, albedo: &Albedo<T>) -> T {
+        let one = T::new(1.0);
+        one - albedo.under_schlick(self.settings.f0, one)
+    }
+
+    /// The factor of the diffuse part's own value.
+    #[inline(always)]
+    fn coupling(&self, wo: Vec3<T>, wi: Vec3<T>) -> T {
+        let both = self.remainder(&self.albedo_at(wo)) * self.remainder(&self.albedo_at(wi));
+        let mean = self.remainder(&self.settings.row.mean);
+        let is_dielectric = T::new(1.0) - self.settings.metallic;
+        is_dielectric * both / mean.max(T::new(LEAST_REMAINDER))
+    }
+
+    /// f_d |wi.z|, divided by what it returns where that might exceed 1.
+    #[inline(always)]
+    fn diffuse(&self, wo: Vec3<T>, wi: Vec3<T>) -> T::Rgb {
+        let base_color = self.settings.base_color;
+        let (value, greatest) = match self.settings.diffuse {
+            Diffuse::Lambert => return base_color * (wi.z * T::new(1.0 / PI)).gray(),
+            Diffuse::OrenNayar(facets) => (
+                facets.full(base_color, wo, wi),
+                facets.albedo_at_horizon(base_color),
+            ),
+            Diffuse::Disney(roughness) => (
+                base_color * disney_diffuse::value(roughness, wo, wi).gray(),
+                base_color * disney_diffuse::greatest_albedo(roughness).gray(),
+            ),
+        };
+        // With F0 near 1 the remainder of E lies at grazing angles, where these forms are brightest:
+        // our own bound, tested over the whole range of parameters.
+        let steep = T::new(0.0035) / (T::new(1.002) - self.settings.f0);
+        value / (greatest + base_color * steep.gray()).max(T::Rgb::new(1.0))
+    }
+}
+
+impl<T: Precision> Scattering<T> for Surface<'_, T> {
+    #[inline(always)]
+    fn vary(&mut self, param: usize, value: [T; 3]) {
+        let settings = &mut self.settings;
+        let number = value[0];
+        match param {
+            BASE_COLOR => settings.base_color = T::rgb(value),
+            METALLIC => settings.metallic = number,
+            ROUGHNESS => {
+                settings.alpha = alpha_of(number);
+                settings.row = self.energy.row(settings.alpha);
+            }
+            ETA if settings.is_by_index => settings.f0 = normal_reflectance(T::new(1.0), number),
+            F0 if !settings.is_by_index => settings.f0 = number,
+            DIFFUSE_ROUGHNESS => match &mut settings.diffuse {
+                Diffuse::Lambert => {}
+                Diffuse::OrenNayar(facets) => *facets = Facets::new(number),
+                Diffuse::Disney(roughness) => *roughness = number,
+            },
+            _ => {}
+        }
+    }
+
+    #[inline(always)]
+    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        self.eval_with_densities(wo, wi).0
+    }
+
+    #[inline(always)]
+    fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
+        let alpha = self.settings.alpha;
+        let normals = Ggx::isotropic(alpha);
+        let pair = Pair::new(wo, wi);
+        let masking = Masking::Smith.factor(&normals, [alpha; 2], &pair);
+        let highlight = normals.density(pair.h) * masking;
+        let fresnel = schlick(self.specular_f0(), pair.cos_half.gray());
+        let diffuse = self.diffuse(wo, wi) * self.coupling(wo, wi).gray();
+        let value = T::channels(fresnel * highlight.gray() + diffuse);
+        let mut densities = [T::new(0.0); MAX_LOBES];
+        densities[DIFFUSE_LOBE] = warp::cosine_hemisphere_pdf(wi.z);
+        densities[SPECULAR_LOBE] = normals.reflected_density(wo, pair.h, pair.cos_half);
+        (value, densities)
+    }
+
+    /// The albedo of each part, that of the highlight from the table.
+    #[inline(always)]
+    fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+        let one = T::new(1.0);
+        let albedo = self.albedo_at(wo);
+        let f0 = mean(T::channels(self.specular_f0()));
+        let reflectance = mean(T::channels(self.settings.base_color));
+        let mut shares = [T::new(0.0); MAX_LOBES];
+        shares[DIFFUSE_LOBE] =
+            (one - self.settings.metallic) * reflectance * self.remainder(&albedo);
+        shares[SPECULAR_LOBE] = albedo.under_schlick(f0, one).max(T::new(LEAST_SHARE));
+        normalized(shares)
+    }
+
+    #[inline(always)]
+    fn sample(&self, lobe: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
+        if lobe == DIFFUSE_LOBE {
+            warp::cosine_hemisphere(u[0], u[1])
+        } else {
+            let h = Ggx::isotropic(self.settings.alpha).sample(wo, u);
+            wo.mirrored_about(h)
+        }
+    }
+}

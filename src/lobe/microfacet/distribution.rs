@@ -1,0 +1,69 @@
+//! What is asked of a distribution of microfacet normals, and the choice of one.
+
+use super::abc::Abc;
+use super::beckmann::Beckmann;
+use super::blinn_phong::BlinnPhong;
+use super::ggx::Ggx;
+use super::sgd::Sgd;
+use crate::math::{Element, Vec3};
+
+/// Within 1e-30 of the horizon factors that are not bounded there are held at this number, so that
+/// their product with D, at most 1 / (pi 1e-8), is one in single precision.
+pub(super) const GREATEST: f64 = 1e30;
+
+/// A distribution of microfacet normals with its parameters set; may borrow tables made at creation.
+///
+/// `wo` and `w` have z > 0; `h` is unit with z >= 0.
+pub(crate) trait Normals<T: Element>: Copy {
+    /// D(h), per steradian; 0 for h.z <= 0. The integral of D(h) h.z over the hemisphere is 1.
+    fn density(&self, h: Vec3<T>) -> T;
+
+    /// w.z Lambda(w) with Smith's Lambda (Heitz 2014, eq. 42 and 43): the projected area, seen from w
+    /// and per area of the surface, of the facets that face away from w, the integral of
+    /// D(h) max(0, -<w, h>). It is finite at the horizon, where Lambda itself is not, and G1 is
+    /// w.z / (w.z + averted_area).
+    fn averted_area(&self, w: Vec3<T>) -> T;
+
+    /// A normal for the viewer wo from two uniform numbers in [0, 1); unit.
+    fn sample(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T>;
+
+    /// The density of [`Normals::sample`], per steradian of h.
+    fn sample_density(&self, wo: Vec3<T>, h: Vec3<T>) -> T;
+
+    /// The density of wi, the mirror image of wo about a sampled h, per steradian of wi:
+    /// [`Normals::sample_density`] over 4 <wo, h> (Walter et al. 2007, eq. 14), whose inverse is held
+    /// at [`GREATEST`].
+    #[inline(always)]
+    fn reflected_density(&self, wo: Vec3<T>, h: Vec3<T>, wo_dot_h: T) -> T {
+        self.sample_density(wo, h) * (T::new(0.25) / wo_dot_h).min(T::new(GREATEST))
+    }
+}
+
+/// One of the distributions.
+#[derive(Clone, Copy)]
+pub(crate) enum Distribution<'a, T> {
+    /// [`Ggx`]
+    Ggx(Ggx<T>),
+    /// [`Beckmann`]
+    Beckmann(Beckmann<T>),
+    /// [`BlinnPhong`]
+    BlinnPhong(&'a BlinnPhong<T>),
+    /// [`Abc`]
+    Abc(&'a Abc<T>),
+    /// [`Sgd`]
+    Sgd(&'a Sgd<T>),
+}
+
+/// An expression in the normals of whichever distribution it is: the choice is made once per call.
+macro_rules! with_normals {
+    ($distribution:expr, |$normals:ident| $body:expr) => {
+        match $distribution {
+            $crate::lobe::microfacet::distribution::Distribution::Ggx($normals) => $body,
+            $crate::lobe::microfacet::distribution::Distribution::Beckmann($normals) => $body,
+            $crate::lobe::microfacet::distribution::Distribution::BlinnPhong($normals) => $body,
+            $crate::lobe::microfacet::distribution::Distribution::Abc($normals) => $body,
+            $crate::lobe::microfacet::distribution::Distribution::Sgd($normals) => $body,
+        }
+    };
+}
+pub(super) use with_normals;

@@ -1,0 +1,252 @@
+//! The compiled model: a mirror or a rough surface.
+
+use super::compensation::{Compensation, Returned};
+use super::distribution::{Distribution, Normals, with_normals};
+use super::fresnel::{Facets, Fresnel};
+use super::masking::{Masking, Pair, turned};
+use super::roughness::{Normalized, Shape};
+use super::{ALPHA, ANISOTROPY, REFLECTION_LOBE, RETURNED_LOBE, ROTATION};
+use crate::lobe::kernel::{Direction, Kernel, Override};
+use crate::lobe::mixture;
+use crate::lobe::power_lobe::mean;
+use crate::lobe::precision::Precision;
+use crate::lobe::scattering::{MAX_LOBES, PerLobe, Scattering, normalized};
+use crate::math::{Rgb, Vec3, warp};
+
+/// The compiled model.
+pub enum Prepared<T> {
+    /// alpha = 0
+    Mirror(Mirror<T>),
+    /// alpha > 0
+    Rough(Rough<T>),
+}
+
+/// Calls a method of whichever kernel it is.
+macro_rules! either {
+    ($self:ident, $kernel:ident => $call:expr) => {
+        match $self {
+            Prepared::Mirror($kernel) => $call,
+            Prepared::Rough($kernel) => $call,
+        }
+    };
+}
+
+impl<T: Precision> Kernel<T> for Prepared<T> {
+    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        either!(self, kernel => kernel.eval(overrides, wo, wi))
+    }
+
+    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
+        either!(self, kernel => kernel.eval_pdf(overrides, wo, wi))
+    }
+
+    fn lobes(
+        &self,
+        overrides: &[Override<T>],
+        wo: Vec3<T>,
+        wi: Vec3<T>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        either!(self, kernel => kernel.lobes(overrides, wo, wi))
+    }
+
+    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
+        either!(self, kernel => kernel.sample(overrides, wo, u))
+    }
+
+    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
+        either!(self, kernel => kernel.albedo(overrides, wo))
+    }
+}
+
+/// One facet.
+pub struct Mirror<T> {
+    pub(super) facets: Facets<T>,
+    pub(super) masking: Masking,
+}
+
+impl<T: Precision> Kernel<T> for Mirror<T> {
+    fn eval(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> Rgb<T> {
+        [T::new(0.0); 3]
+    }
+
+    fn eval_pdf(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> (Rgb<T>, T) {
+        ([T::new(0.0); 3], T::new(0.0))
+    }
+
+    fn lobes(
+        &self,
+        _overrides: &[Override<T>],
+        _wo: Vec3<T>,
+        _wi: Vec3<T>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        (only_first(T::new(1.0)), [T::new(0.0); MAX_LOBES])
+    }
+
+    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, _u: [T; 3]) -> Option<Direction<T>> {
+        Some(Direction {
+            wi: wo.mirrored(),
+            pdf: T::new(0.0),
+            weight: self.albedo(overrides, wo),
+            eta: T::new(1.0),
+            lobe: REFLECTION_LOBE,
+        })
+    }
+
+    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
+        let mut fresnel = self.facets.fresnel();
+        for change in overrides {
+            fresnel.vary(change.param, change.value);
+        }
+        let cos_theta = wo.z.min(T::new(1.0));
+        let masking = self.masking.of_mirror(cos_theta);
+        let reflectance = fresnel.reflectance(cos_theta);
+        reflectance.map(|reflectance| reflectance * masking)
+    }
+}
+
+/// Many facets.
+pub struct Rough<T> {
+    pub(super) normals: Normalized<T>,
+    pub(super) shape: Shape<T>,
+    pub(super) facets: Facets<T>,
+    pub(super) masking: Masking,
+    pub(super) compensation: Option<Compensation<T>>,
+}
+
+impl<T: Precision> Rough<T> {
+    /// With the parameters of one call.
+    #[inline(always)]
+    fn surface(&self, overrides: &[Override<T>]) -> Surface<'_, T> {
+        let mut surface = Surface {
+            normals: &self.normals,
+            shape: self.shape,
+            fresnel: self.facets.fresnel(),
+            masking: self.masking,
+            returned: None,
+        };
+        for change in overrides {
+            surface.vary(change.param, change.value);
+        }
+        if let Some(compensation) = &self.compensation {
+            let returned = compensation.returned(surface.shape.alpha, &surface.fresnel);
+            surface.returned = Some(returned);
+        }
+        surface
+    }
+}
+
+impl<T: Precision> Kernel<T> for Rough<T> {
+    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        self.surface(overrides).eval(wo, wi)
+    }
+
+    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
+        mixture::eval_pdf(&self.surface(overrides), wo, wi)
+    }
+
+    fn lobes(
+        &self,
+        overrides: &[Override<T>],
+        wo: Vec3<T>,
+        wi: Vec3<T>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        mixture::lobes(&self.surface(overrides), wo, wi)
+    }
+
+    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
+        mixture::sample(&self.surface(overrides), wo, u)
+    }
+
+    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
+        Scattering::albedo(&self.surface(overrides), wo)
+    }
+}
+
+/// A rough surface for one call.
+#[derive(Clone, Copy)]
+struct Surface<'a, T: Precision> {
+    normals: &'a Normalized<T>,
+    shape: Shape<T>,
+    fresnel: Fresnel<'a, T>,
+    masking: Masking,
+    /// With energy compensation.
+    returned: Option<Returned<'a, T>>,
+}
+
+impl<T: Precision> Surface<'_, T> {
+    #[inline(always)]
+    fn distribution(&self) -> Distribution<'_, T> {
+        self.normals.distribution(&self.shape)
+    }
+
+    /// From the shading frame into that of the long axis.
+    #[inline(always)]
+    fn turn_back(&self) -> [T; 2] {
+        let [cos, sin] = self.shape.turn;
+        [cos, -sin]
+    }
+}
+
+impl<T: Precision> Scattering<T> for Surface<'_, T> {
+    #[inline(always)]
+    fn vary(&mut self, param: usize, value: [T; 3]) {
+        match param {
+            ALPHA | ANISOTROPY | ROTATION => self.shape.vary(param, value[0]),
+            _ => self.fresnel.vary(param, value),
+        }
+    }
+
+    #[inline(always)]
+    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        self.eval_with_densities(wo, wi).0
+    }
+
+    #[inline(always)]
+    fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
+        let pair = Pair::new(wo, wi).turned(self.turn_back());
+        let (highlight, density) = with_normals!(self.distribution(), |normals| {
+            let factor = self.masking.factor(&normals, self.shape.axes, &pair);
+            let density = normals.reflected_density(pair.wo, pair.h, pair.cos_half);
+            (normals.density(pair.h) * factor, density)
+        });
+        let reflectance = self.fresnel.reflectance(pair.cos_half);
+        let mut value = reflectance.map(|reflectance| reflectance * highlight);
+        let mut densities = only_first(density);
+        if let Some(returned) = &self.returned {
+            let more = returned.eval(wo, wi);
+            value = std::array::from_fn(|channel| value[channel] + more[channel]);
+            densities[RETURNED_LOBE] = warp::cosine_hemisphere_pdf(wi.z);
+        }
+        (value, densities)
+    }
+
+    /// With energy compensation in proportion to the estimated albedos, F being that of the viewer.
+    #[inline(always)]
+    fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+        let Some(returned) = &self.returned else {
+            return only_first(T::new(1.0));
+        };
+        let cos_theta = wo.z.min(T::new(1.0));
+        let reflectance = mean(self.fresnel.reflectance(cos_theta));
+        let mut shares = only_first(reflectance * returned.albedo(cos_theta));
+        shares[RETURNED_LOBE] = returned.share(wo);
+        normalized(shares)
+    }
+
+    #[inline(always)]
+    fn sample(&self, lobe: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
+        if lobe == RETURNED_LOBE {
+            return warp::cosine_hemisphere(u[0], u[1]);
+        }
+        let view = turned(wo, self.turn_back());
+        let h = with_normals!(self.distribution(), |normals| normals.sample(view, u));
+        wo.mirrored_about(turned(h, self.shape.turn))
+    }
+}
+
+#[inline(always)]
+fn only_first<T: Precision>(number: T) -> PerLobe<T> {
+    let mut numbers = [T::new(0.0); MAX_LOBES];
+    numbers[REFLECTION_LOBE] = number;
+    numbers
+}

@@ -1,0 +1,116 @@
+//! The roughness of a surface: its distribution of normals as the parameters describe it.
+
+use super::abc::Abc;
+use super::beckmann::Beckmann;
+use super::blinn_phong::BlinnPhong;
+use super::distribution::{Distribution, with_normals};
+use super::energy::{Energy, Reflected};
+use super::ggx::Ggx;
+use super::masking::Masking;
+use super::sgd::Sgd;
+use super::{ALPHA, ANISOTROPY, ROTATION};
+use crate::lobe::precision::Precision;
+use crate::math::{Element, Real, Vec3};
+
+/// A distribution, with the tables that it needs.
+pub(super) enum Normalized<T> {
+    /// Its numbers are those of the [`Shape`].
+    Ggx,
+    /// As for [`Normalized::Ggx`].
+    Beckmann,
+    /// For one alpha.
+    BlinnPhong(Box<BlinnPhong<T>>),
+    /// For one alpha and exponent.
+    Abc(Box<Abc<T>>),
+    /// For one alpha and p.
+    Sgd(Box<Sgd<T>>),
+}
+
+impl<T: Element> Normalized<T> {
+    /// For one call.
+    #[inline(always)]
+    pub fn distribution(&self, shape: &Shape<T>) -> Distribution<'_, T> {
+        let alpha = shape.axes;
+        match self {
+            Self::Ggx => Distribution::Ggx(Ggx { alpha }),
+            Self::Beckmann => Distribution::Beckmann(Beckmann { alpha }),
+            Self::BlinnPhong(normals) => Distribution::BlinnPhong(normals),
+            Self::Abc(normals) => Distribution::Abc(normals),
+            Self::Sgd(normals) => Distribution::Sgd(normals),
+        }
+    }
+}
+
+impl<T: Precision> Normalized<T> {
+    /// The albedo with F = 1, for one alpha or, if it varies, all of them. Not for stretched surfaces.
+    pub fn energy(&self, shape: &Shape<T>, masking: Masking, is_varying: bool) -> Energy<T> {
+        let lobe = |alpha: T, wo: Vec3<T>, [azimuth, other]: [T; 2]| {
+            let shape = Shape {
+                alpha,
+                axes: [alpha; 2],
+                ..*shape
+            };
+            // Of all but GGX the second number is the azimuth, or does not lead to the horizon.
+            let u = match self {
+                Self::Ggx => [azimuth, other],
+                _ => [other, azimuth],
+            };
+            with_normals!(self.distribution(&shape), |normals| Reflected::by_normals(
+                &normals, masking, [alpha; 2], wo, u
+            ))
+        };
+        if is_varying {
+            Energy::over_alpha(lobe)
+        } else {
+            Energy::of_alpha(shape.alpha, |wo, u| lobe(shape.alpha, wo, u))
+        }
+    }
+}
+
+/// Roughness along two axes, and where they lie.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape<T> {
+    /// Geometric mean of the two.
+    pub alpha: T,
+    anisotropy: T,
+    /// Along the long axis and across it.
+    pub axes: [T; 2],
+    /// Cosine and sine of the angle from +X to the long axis.
+    pub turn: [T; 2],
+}
+
+impl<T: Real> Shape<T> {
+    pub fn new(alpha: T, anisotropy: T, rotation: T) -> Self {
+        Self {
+            alpha,
+            anisotropy,
+            axes: axes(alpha, anisotropy),
+            turn: turn(rotation),
+        }
+    }
+
+    /// Replaces the value of a parameter that varies per call; those of other kinds have no effect.
+    #[inline(always)]
+    pub fn vary(&mut self, param: usize, value: T) {
+        match param {
+            ALPHA => self.alpha = value,
+            ANISOTROPY => self.anisotropy = value,
+            ROTATION => self.turn = turn(value),
+            _ => return,
+        }
+        self.axes = axes(self.alpha, self.anisotropy);
+    }
+}
+
+/// alpha over and times sqrt(1 - 0.9 anisotropy): Burley 2012, "Physically-Based Shading at Disney",
+/// addendum.
+#[inline(always)]
+fn axes<T: Real>(alpha: T, anisotropy: T) -> [T; 2] {
+    let aspect = (T::new(1.0) - T::new(0.9) * anisotropy).sqrt();
+    [alpha / aspect, alpha * aspect]
+}
+
+#[inline(always)]
+fn turn<T: Real>(rotation: T) -> [T; 2] {
+    [rotation.cos_turns(), rotation.sin_turns()]
+}
