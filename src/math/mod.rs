@@ -8,6 +8,7 @@ mod rgb;
 mod vector;
 pub mod warp;
 
+pub use lanes::{Doubles, widest};
 pub use real::{Mask, Real};
 pub use rgb::Element;
 pub use vector::{Rgb, Vec3};
