@@ -120,9 +120,10 @@ pub(super) fn plan(
         }
     }
     let name = forced.unwrap_or("reference");
-    let found = best.map_or("no table that is small enough does".to_owned(), |(max, size)| {
-        format!("the best it can do is {max:.2e}, with {size}")
-    });
+    let found = best.map_or(
+        "no table that is small enough does".to_owned(),
+        |(max, size)| format!("the best it can do is {max:.2e}, with {size}"),
+    );
     Err(Error::unsupported(format!(
         "method '{name}' cannot hold tolerance = {tolerance:.2e} (errors found may have a part of it): {found}"
     )))
