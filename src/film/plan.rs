@@ -42,8 +42,10 @@ const MOST_WORK: usize = 20_000_000;
 const FILLING: f64 = 0.1;
 /// The part of the tolerance that a method's error may have at the points where it is measured.
 const MEASURED: f64 = 0.4;
+/// That of the series, whose errors are narrow peaks.
+const PEAKS: f64 = 0.05;
 /// How many points those are, if the series is the truth for a thickness that varies, and else.
-const POINTS: usize = 500;
+const POINTS: usize = 3000;
 const SLOW_POINTS: usize = 60;
 /// At how many points a series is compared with a finer one.
 const MANY_POINTS: usize = 2000;
@@ -101,7 +103,8 @@ pub(super) fn plan(
         let max = attempt.errors.max;
         let allowed = match candidate {
             Candidate::Reference if tolerance >= ALWAYS => f64::INFINITY,
-            Candidate::OneLayer(_) | Candidate::Series => MEASURED * tolerance,
+            Candidate::OneLayer(_) => MEASURED * tolerance,
+            Candidate::Series => PEAKS * tolerance,
             _ => tolerance,
         };
         if max <= allowed {
@@ -211,7 +214,7 @@ impl Workshop<'_> {
         let (bytes, nodes) = (series.bytes(), series.len());
         let method = SeriesMethod(series);
         let mut errors = Errors::default();
-        let is_hopeless = uncertainty > MEASURED * self.limits.tolerance;
+        let is_hopeless = uncertainty > PEAKS * self.limits.tolerance;
         let count = if is_hopeless { 0 } else { SLOW_POINTS };
         for (side, c, d) in points(description, count) {
             let found = method.colors(side, c as f32, d as f32);
