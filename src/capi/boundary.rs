@@ -46,12 +46,14 @@ pub(super) fn quiet_panics() {
 }
 
 #[cold]
+#[inline(never)]
 fn report(error: &Error) -> PellicleStatus {
     last_error::set(&error.message);
     error.status as PellicleStatus
 }
 
 #[cold]
+#[inline(never)]
 fn report_panic(payload: &(dyn Any + Send)) -> PellicleStatus {
     let text = payload
         .downcast_ref::<&str>()
@@ -96,6 +98,7 @@ pub(super) fn require<T>(pointer: *const T, name: &'static str) -> Result<(), Er
 }
 
 #[cold]
+#[inline(never)]
 fn null(name: &'static str) -> Error {
     Error::invalid(format!("{name} is NULL"))
 }
@@ -207,6 +210,7 @@ fn check_size(size: usize, name: &'static str) -> Result<(), Error> {
 }
 
 #[cold]
+#[inline(never)]
 fn wrong_size(size: usize, name: &'static str) -> Error {
     Error::invalid(format!(
         "{name} has a size of {size} bytes: pass its sizeof"

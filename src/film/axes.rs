@@ -30,9 +30,9 @@ pub(super) struct Axes<T> {
     stretch: T,
 }
 
-/// With `least` below this, colours at thickness 0 are those in the limit of such a film, nm: a hundredth
+/// With `least` below this, colours at thickness 0 are those in the limit of such a film, nm: a thousandth
 /// of an atom.
-pub(super) const LEAST_NM: f64 = 1e-2;
+pub(super) const LEAST_NM: f64 = 1e-3;
 
 /// What to choose of [`Axes`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

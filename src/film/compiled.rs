@@ -68,6 +68,9 @@ impl Colors {
     }
 }
 
+/// Cosines below this are taken for it. At 0 a film mirrors however thin it is, and nothing does not.
+const LEAST_COSINE: f32 = 1e-8;
+
 impl Film {
     /// Validates a description and compiles it.
     ///
@@ -212,7 +215,7 @@ impl Film {
     fn held(&self, cos_theta: f32, thickness_nm: f32) -> Option<(f32, f32)> {
         let [min, max] = self.thickness_nm;
         let is_number = !(cos_theta.is_nan() || thickness_nm.is_nan());
-        let cos_theta = Real::min(Real::max(cos_theta, 0.0), 1.0);
+        let cos_theta = Real::min(Real::max(cos_theta, LEAST_COSINE), 1.0);
         is_number.then(|| (cos_theta, Real::min(Real::max(thickness_nm, min), max)))
     }
 

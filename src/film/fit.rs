@@ -60,6 +60,11 @@ const WASTED: f64 = 0.3;
 const GRAZING: usize = 24;
 const GREATEST_GRAZING: f64 = 0.2;
 const LEAST_GRAZING: f64 = 1e-5;
+/// About how many of the worst points a table is measured again, at how many points along each coordinate,
+/// and how far from them, in intervals.
+const WORST: usize = 16;
+const AROUND: usize = 6;
+const CLOSE: f64 = 1.0;
 /// How often a table is made larger, or smaller.
 const ATTEMPTS: usize = 8;
 /// Points of the lines along which the axes are chosen.
@@ -69,7 +74,7 @@ const ALONG_THICKNESS: usize = 160;
 const SCALES: [f64; 8] = [0.03, 0.07, 0.15, 0.3, 0.5, 1.0, 2.0, 1e3];
 const HALVES_NM: [f64; 4] = [0.0, 30.0, 100.0, 300.0];
 /// Far below [`LEAST_NM`], but more than 0, which would make gamma vanish.
-const VANISHING_NM: f64 = 1e-4 * LEAST_NM;
+const VANISHING_NM: f64 = 1e-6 * LEAST_NM;
 const FADES: [f64; 8] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0];
 
 impl Errors {
@@ -295,7 +300,7 @@ fn between(
     let limits = task.limits;
     let [least, greatest] = task.range;
     let mut errors = Errors::default();
-    let mut worst = (0.0, [0.0; 2]);
+    let mut worst: Vec<(f64, [f64; 2])> = Vec::new();
     let measure = |task: &mut Task<'_>, i: f64, j: f64, errors: &mut Errors| {
         let (c, d) = point(i, j);
         // Thicker films than the range allows are in the table, but are not asked for.
@@ -321,8 +326,25 @@ fn between(
     for x in (0..width - 1).flat_map(|i| sides(i, width)) {
         for y in (0..height - 1).flat_map(|j| sides(j, height)) {
             let error = measure(task, x, y, &mut errors);
-            if error > worst.0 {
-                worst = (error, [x, y]);
+            if worst.len() < WORST {
+                worst.push((error, [x, y]));
+            } else if error > worst[WORST - 1].0 {
+                worst[WORST - 1] = (error, [x, y]);
+            } else {
+                continue;
+            }
+            worst.sort_by(|a, b| b.0.total_cmp(&a.0));
+        }
+    }
+    // Narrow peaks have their tops elsewhere.
+    for &(_, [x, y]) in &worst {
+        let inside = |at: f64, step: usize, count: usize| {
+            let offset = CLOSE * ((step as f64 + 0.5) / AROUND as f64 * 2.0 - 1.0);
+            (at + offset).clamp(0.0, (count - 1) as f64)
+        };
+        for i in 0..AROUND {
+            for j in 0..AROUND {
+                measure(task, inside(x, i, width), inside(y, j, height), &mut errors);
             }
         }
     }
@@ -337,7 +359,7 @@ fn between(
             errors.add(found, (task.source)(c, d), limits.unclipped);
         }
     }
-    let [x, y] = worst.1;
+    let [x, y] = worst.first().map_or([0.0; 2], |worst| worst.1);
     let mut aside = Errors::default();
     let across = measure(task, x, y.round(), &mut aside);
     let along = measure(task, x.round(), y, &mut aside);

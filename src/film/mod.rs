@@ -21,6 +21,7 @@ mod fit;
 mod harmonics;
 mod layer;
 mod plan;
+mod points;
 mod quadrature;
 mod series;
 mod sheets;

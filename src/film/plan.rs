@@ -2,9 +2,10 @@
 
 use super::candidate::Candidate;
 use super::compiled::{Compiled, Evaluator};
-use super::converge::{converged, critical_cosines};
+use super::converge::{converged, uncertainty};
 use super::direct::{FresnelBase, OneLayerMethod, SchlickBase, SeriesMethod};
 use super::fit::{Errors, Limits};
+use super::points::points;
 use super::series::Series;
 use super::sheets::{Sheet, Sheets};
 use super::{FilmDescription, Kind, OneLayer};
@@ -34,19 +35,22 @@ pub struct Plan {
 
 /// The most values of one table: 2 MiB.
 const MOST_VALUES: usize = 1 << 17;
+/// The most values times the nodes that each is a sum over: filling and measuring such a table takes some
+/// 0.3 seconds, and several are tried.
+const MOST_WORK: usize = 20_000_000;
 /// The part of the tolerance that what tables are filled with may be off by.
 const FILLING: f64 = 0.1;
 /// The part of the tolerance that a method's error may have at the points where it is measured.
 const MEASURED: f64 = 0.4;
+/// That of the series, whose errors are narrow peaks.
+const PEAKS: f64 = 0.05;
 /// How many points those are, if the series is the truth for a thickness that varies, and else.
-const POINTS: usize = 500;
-const SLOW_POINTS: usize = 120;
+const POINTS: usize = 3000;
+const SLOW_POINTS: usize = 60;
+/// At how many points a series is compared with a finer one.
+const MANY_POINTS: usize = 2000;
 /// Tolerances from here on are always held: by the reference, if nothing else does.
 const ALWAYS: f64 = 1e-4;
-
-/// Films that vary beyond this are measured up to it, nm: thicker ones show no colours, and take the
-/// reference long.
-pub(super) const THICK_NM: f64 = 3e5;
 
 /// A method that was tried.
 struct Attempt {
@@ -85,7 +89,7 @@ pub(super) fn plan(
         limits: Limits {
             tolerance,
             unclipped: description.unclipped,
-            size: MOST_VALUES,
+            size: MOST_VALUES.min(MOST_WORK / series.len()),
         },
         series,
         series_error,
@@ -99,7 +103,8 @@ pub(super) fn plan(
         let max = attempt.errors.max;
         let allowed = match candidate {
             Candidate::Reference if tolerance >= ALWAYS => f64::INFINITY,
-            Candidate::OneLayer(_) | Candidate::Series => MEASURED * tolerance,
+            Candidate::OneLayer(_) => MEASURED * tolerance,
+            Candidate::Series => PEAKS * tolerance,
             _ => tolerance,
         };
         if max <= allowed {
@@ -118,9 +123,10 @@ pub(super) fn plan(
         }
     }
     let name = forced.unwrap_or("reference");
-    let found = best.map_or("no table of 2 MiB does".to_owned(), |(max, size)| {
-        format!("the best it can do is {max:.2e}, with {size}")
-    });
+    let found = best.map_or(
+        "no table that is small enough does".to_owned(),
+        |(max, size)| format!("the best it can do is {max:.2e}, with {size}"),
+    );
     Err(Error::unsupported(format!(
         "method '{name}' cannot hold tolerance = {tolerance:.2e} (errors found may have a part of it): {found}"
     )))
@@ -201,32 +207,28 @@ impl Workshop<'_> {
 
     /// With twice the nodes, as nothing smooths what is wrong at single points.
     fn series(&self) -> Result<Attempt, Error> {
-        let series = Series::new(self.description, 2 * self.series.len())?;
+        let description = self.description;
+        let series = Series::new(description, 2 * self.series.len())?;
+        // Narrow resonances hide between the few points at which there is time for the reference.
+        let uncertainty = uncertainty(description, &series, MANY_POINTS)?;
         let (bytes, nodes) = (series.bytes(), series.len());
         let method = SeriesMethod(series);
-        // Against the reference, or it would be measured with itself.
         let mut errors = Errors::default();
-        for (side, c, d) in self.points(SLOW_POINTS) {
+        let is_hopeless = uncertainty > PEAKS * self.limits.tolerance;
+        let count = if is_hopeless { 0 } else { SLOW_POINTS };
+        for (side, c, d) in points(description, count) {
             let found = method.colors(side, c as f32, d as f32);
             let truth = self
                 .reference
-                .evaluate(side, c, &self.description.thicknesses(d));
+                .evaluate(side, c, &description.thicknesses(d));
             let unclipped = self.limits.unclipped;
-            errors.add(
-                found.reflectance.map(f64::from),
-                truth.reflectance,
-                unclipped,
-            );
-            if self.description.transmittance {
-                errors.add(
-                    found.transmittance.map(f64::from),
-                    truth.transmittance,
-                    unclipped,
-                );
+            let wide = |rgb: Rgb<f32>| rgb.map(f64::from);
+            errors.add(wide(found.reflectance), truth.reflectance, unclipped);
+            if description.transmittance {
+                errors.add(wide(found.transmittance), truth.transmittance, unclipped);
             }
         }
-        // What is off in the corners is so at worse points too.
-        errors.max = errors.max.max(2.0 * self.series_error);
+        errors.max = errors.max.max(uncertainty);
         Ok(Attempt {
             compiled: Compiled::Other(Box::new(method)),
             errors,
@@ -237,7 +239,7 @@ impl Workshop<'_> {
 
     fn reference(&self) -> Attempt {
         let mut errors = Errors::default();
-        for (side, c, d) in self.points(6) {
+        for (side, c, d) in points(self.description, 3) {
             let thicknesses = self.description.thicknesses(d);
             let change = self.reference.evaluate(side, c, &thicknesses).change;
             errors.add([change; 3], [0.0; 3], true);
@@ -276,7 +278,7 @@ impl Workshop<'_> {
                 SLOW_POINTS
             };
             // No transmittance is asked for where this is: all points are on the ambient's side.
-            let points = self.points(count).map(|(_, c, d)| {
+            let points = points(self.description, count).map(|(_, c, d)| {
                 let found = if is_fast {
                     self.series.at(Side::Ambient, c, d).reflectance
                 } else {
@@ -289,44 +291,4 @@ impl Workshop<'_> {
             points.collect()
         })
     }
-
-    /// Points over cosine and thickness: a third evenly, a third towards grazing angles, a third towards
-    /// both grazing angles and thin films, by the R2 sequence (Roberts 2018). From both sides by turns,
-    /// if both are asked for. And about critical angles.
-    fn points(&self, count: usize) -> impl Iterator<Item = (Side, f64, f64)> {
-        let [least, greatest] = self.description.varying_range();
-        let greatest = greatest.min(least.max(THICK_NM));
-        let sides = self.description.sides();
-        let critical = critical_points(self.description, least, greatest);
-        (0..count)
-            .map(move |i| {
-                let fraction = |step: f64| (0.5 + step * i as f64).fract();
-                let (u, v) = (fraction(0.754_877_666), fraction(0.569_840_291));
-                let cos_theta = if i % 3 == 0 { u } else { u.powi(3).max(1e-4) };
-                let part = if i % 3 == 2 { v.powi(3) } else { v };
-                let side = sides[i % sides.len()];
-                (side, cos_theta, least + part * (greatest - least))
-            })
-            .chain(critical)
-    }
-}
-
-/// Points about the cosines where the spectrum has a root in it.
-fn critical_points(
-    description: &FilmDescription,
-    least: f64,
-    greatest: f64,
-) -> Vec<(Side, f64, f64)> {
-    let mut points = Vec::new();
-    for &side in description.sides() {
-        for cosine in critical_cosines(description, side) {
-            for step in [-0.004, -0.001, 0.0, 0.001, 0.004] {
-                for part in [0.07, 0.5, 1.0] {
-                    let thickness = least + part * (greatest - least);
-                    points.push((side, (cosine + step).clamp(0.0, 1.0), thickness));
-                }
-            }
-        }
-    }
-    points
 }

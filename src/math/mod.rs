@@ -13,6 +13,7 @@ pub mod warp;
 
 pub(crate) use arctangent::angle_turns;
 pub(crate) use error_function::{erfcx, erfinv};
+pub use lanes::{Doubles, widest};
 pub use real::{Mask, Real};
 pub use rgb::Element;
 pub use vector::{Rgb, Vec3};

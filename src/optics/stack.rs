@@ -327,7 +327,10 @@ impl<T: Real> Slab<T> {
         let permittivity = wave.index * wave.index;
         Self {
             cosine: crossing.cosine,
-            forth: wave.immittance.map(|w| w * crossing.sine),
+            forth: [
+                wave.immittance[S] * crossing.sine,
+                wave.immittance[P] * crossing.sine,
+            ],
             back: [crossing.sine_over_q, crossing.sine_over_q * permittivity],
             decay: crossing.decay,
         }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::math::PI;
 use crate::optics::{Medium, Reference};
 
 const NODES: usize = 96;
@@ -46,19 +47,6 @@ fn sides(description: &FilmDescription) -> &'static [Side] {
     }
 }
 
-#[test]
-fn circle_is_sine_and_cosine() {
-    for i in -4000..4000 {
-        let turns = f64::from(i) * 0.00713;
-        let (sin, cos) = (2.0 * PI * turns).sin_cos();
-        let z = circle(turns);
-        assert!(
-            (z.re - cos).abs() < 1e-10 && (z.im - sin).abs() < 1e-10,
-            "{turns}"
-        );
-    }
-}
-
 /// Against a wrong term, side or layer order, at all angles and thicknesses; and against a column
 /// that is not what the series is there.
 #[test]
@@ -97,7 +85,7 @@ fn is_continuous_where_harmonics_end() {
         let series = Series::new(&description, NODES).unwrap();
         for c in [1.0, 0.3, 0.02] {
             let column = series.column(Side::Ambient, c);
-            let greatest = series.longest_path / column.path;
+            let greatest = series.longest_path() / column.path;
             for last in [1.0, 2.0, 3.0, 5.0, 17.0, 200.0] {
                 // Where it ends, and where the part of the next one begins and peaks.
                 for part in [1.0, 1.25, 1.25 - 0.1 / last] {

@@ -1,0 +1,71 @@
+//! Where methods are measured.
+
+use super::FilmDescription;
+use crate::optics::stack::Side;
+
+/// Films that vary beyond this are measured up to it, nm: thicker ones show no colours, and take the
+/// reference long.
+const THICK_NM: f64 = 3e5;
+/// The wavelengths whose critical angles are among the angles.
+const CRITICAL_NM: [f64; 3] = [430.0, 550.0, 680.0];
+/// What is measured about a critical angle: steps of the cosine, and parts of the thickness.
+const STEPS: [f64; 5] = [-0.004, -0.001, 0.0, 0.001, 0.004];
+const PARTS: [f64; 3] = [0.07, 0.5, 1.0];
+
+/// Side, cosine on that side and thickness: a third evenly, a third towards grazing angles, a third towards
+/// both grazing angles and thin films, by the R2 sequence (Roberts 2018). From both sides by turns, if both
+/// are asked for. And about critical angles, beyond the count.
+pub(super) fn points(
+    description: &FilmDescription,
+    count: usize,
+) -> impl Iterator<Item = (Side, f64, f64)> {
+    let [least, greatest] = measured_range(description);
+    let sides = description.sides();
+    let scattered = (0..count).map(move |i| {
+        let fraction = |step: f64| (0.5 + step * i as f64).fract();
+        let (u, v) = (fraction(0.754_877_666), fraction(0.569_840_291));
+        let cos_theta = if i % 3 == 0 { u } else { u.powi(3).max(1e-4) };
+        let part = if i % 3 == 2 { v.powi(3) } else { v };
+        let side = sides[i % sides.len()];
+        (side, cos_theta, least + part * (greatest - least))
+    });
+    let critical = sides.iter().flat_map(move |&side| {
+        let cosines = critical_cosines(description, side).into_iter();
+        cosines.flat_map(move |cosine| {
+            STEPS.into_iter().flat_map(move |step| {
+                let cosine = (cosine + step).clamp(0.0, 1.0);
+                PARTS.map(|part| (side, cosine, least + part * (greatest - least)))
+            })
+        })
+    });
+    scattered.chain(critical)
+}
+
+/// The range of the thickness in which methods are measured, nm.
+pub(super) fn measured_range(description: &FilmDescription) -> [f64; 2] {
+    let [least, greatest] = description.varying_range();
+    [least, greatest.min(least.max(THICK_NM))]
+}
+
+/// The cosines at which light from a side begins to go along a layer or the far half-space whose index
+/// disperses, at some wavelengths: there the spectrum has a root in it.
+fn critical_cosines(description: &FilmDescription, side: Side) -> Vec<f64> {
+    let (near, far) = match side {
+        Side::Ambient => (&description.ambient, &description.base),
+        Side::Base => (&description.base, &description.ambient),
+    };
+    let layers = description.layers.iter().map(|layer| &layer.medium);
+    let mut cosines = Vec::new();
+    for medium in layers.chain(std::iter::once(far)) {
+        if medium.constant().is_some() && near.constant().is_some() {
+            continue;
+        }
+        for wavelength_nm in CRITICAL_NM {
+            let ratio = medium.index(wavelength_nm).re / near.index(wavelength_nm).re;
+            if ratio < 1.0 {
+                cosines.push((1.0 - ratio * ratio).sqrt());
+            }
+        }
+    }
+    cosines
+}
