@@ -24,7 +24,7 @@ public:
         const float side = static_cast<float>(std::min(resolution.x, resolution.y));
         const float x = (2 * raster.x - static_cast<float>(resolution.x)) / side;
         const float y = (static_cast<float>(resolution.y) - 2 * raster.y) / side;
-        return {eye_, (forward_ + right_ * x + up_ * y).normalized()};
+        return {eye_, (forward_ + right_ * x + up_ * y).normalized(), 2 * right_.length() / side};
     }
 
 private:

@@ -48,16 +48,16 @@ SharedMaterial siliconMaterial() {
 const std::vector<Scene> &filmScenes() {
     const Floor pale{0.5f, 0.2f}, dark{0.006f, 0.002f};
     static const std::vector<Scene> all{
-        {"soap", "Soap, draining\n0 nm at the top, 660 nm below", soapMaterial, 2.6f, bubbleAndFrame,
+        {"soap", "Soap, draining\n0 nm at the top, 660 nm below", bubbleAndFrame(soapMaterial), 2.6f,
          Lighting::darkRoom, 4, 12},
-        {"oil", "Oil on deep water\n0-720 nm, two angles", oilMaterial, 3, dish, Lighting::sky},
-        {"titanium", "Anodised titanium\nTiO2 in steps of 12.5 nm", titaniumMaterial, 0.2f,
-         sphereAndMesh(pale), Lighting::tent},
-        {"steel", "Tempered steel\nFe3O4 from 0 to 75 nm", steelMaterial, 0.4f, sphereAndMesh(pale),
+        {"oil", "Oil on deep water\n0-720 nm, two angles", dish(oilMaterial), 3, Lighting::sky},
+        {"titanium", "Anodised titanium\nTiO2 in steps of 12.5 nm", sphereAndMesh(titaniumMaterial, pale), 0.2f,
          Lighting::tent},
-        {"glass", "Glass, its right half coated\nMgF2, 100 nm", glassMaterial, 3.5f, sphereAndMesh(dark),
+        {"steel", "Tempered steel\nFe3O4 from 0 to 75 nm", sphereAndMesh(steelMaterial, pale), 0.4f,
+         Lighting::tent},
+        {"glass", "Glass, its right half coated\nMgF2, 100 nm", sphereAndMesh(glassMaterial, dark), 3.5f,
          Lighting::darkRoom},
-        {"silicon", "Oxidised silicon\nSiO2 in steps of 50 nm", siliconMaterial, 0.6f, waferAndMesh(pale),
+        {"silicon", "Oxidised silicon\nSiO2 in steps of 50 nm", waferAndMesh(siliconMaterial, pale), 0.6f,
          Lighting::tent},
     };
     return all;

@@ -7,6 +7,7 @@
 #include "sheet.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <stdexcept>
@@ -15,6 +16,9 @@ namespace render {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Inside the pictures' directory: images that scenes are made of.
+constexpr const char *mapsDirectory = "maps";
 
 constexpr int chartWidth = 500, chartHeight = 250;
 /// Of a chart's work, in pixels of a picture: it goes by unnoticed.
@@ -40,62 +44,68 @@ std::vector<T> chosen(const std::vector<T> &all, bool everything, std::vector<st
 }
 
 struct Choice {
-    std::vector<Scene> figures, films;
+    std::vector<Chapter> chapters;
     std::vector<Chart> charts;
 };
 
 Choice choose(std::vector<std::string> names) {
     const bool everything = names.empty();
     Choice choice;
-    choice.figures = chosen(scenes(), everything, names);
-    choice.films = chosen(filmScenes(), everything, names);
+    for (const Chapter &chapter : chapters())
+        choice.chapters.push_back({chapter.columns, chosen(chapter.scenes, everything, names)});
     choice.charts = chosen(charts(), everything, names);
     if (!names.empty())
         throw std::runtime_error("there is no scene \"" + names.front() + "\"; --list shows those there are");
     return choice;
 }
 
-void makeDirectory(const fs::path &directory) {
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (error)
-        throw std::runtime_error("cannot make the directory " + directory.string() + ": " + error.message());
-}
-
-Subject readSubject(const fs::path &file) {
+Subject readSubject(const fs::path &file, const fs::path &directory) {
     const fs::path actual = file.empty() ? fs::path(PELLICLE_RENDER_DEFAULT_MESH) : file;
     auto mesh = std::make_shared<Mesh>(readObj(actual));
     standOnFloor(*mesh);
     const std::string name = actual.stem().string();
-    return {name == "sphere" ? "sphere-mesh" : name, std::move(mesh)};
+    return {name == "sphere" ? "sphere-mesh" : name, std::move(mesh), directory};
 }
 
 class Gallery {
 public:
     explicit Gallery(const Options &options)
-        : options_(options), choice_(choose(options.scenes)), subject_(readSubject(options.mesh)) {
+        : options_(options),
+          choice_(choose(options.scenes)),
+          subject_(readSubject(options.mesh, options.out / mapsDirectory)) {
         if (!options.environment.empty()) given_.emplace(readLatLongMap(options.environment));
+        if (!options.cubeMap.empty()) given_.emplace(readCubeMap(options.cubeMap));
         makeDirectory(options.out);
     }
 
     /// How many files there are to look at.
     std::size_t render() {
         Progress progress(totalWork());
-        const Section figures = scenesInSection(choice_.figures, 5, progress);
-        const Section films = scenesInSection(choice_.films, 6, progress);
-        writePng(contactSheet({figures, films, chartsInSection(progress)}), options_.out / "gallery.png");
+        std::vector<Section> sections;
+        for (const Chapter &chapter : choice_.chapters) sections.push_back(chapterInSection(chapter, progress));
+        sections.push_back(chartsInSection(progress));
+        writePng(contactSheet(sections), options_.out / "gallery.png");
         return written_;
     }
 
 private:
-    static constexpr int viewsPerScene = 2;
-
-    double pixels() const { return static_cast<double>(options_.size) * options_.size; }
+    V2i sizeOf(const V2f &extent) const {
+        const auto pixels = [&](float side) {
+            return static_cast<int>(std::lround(side * static_cast<float>(options_.size)));
+        };
+        return {pixels(extent.x), pixels(extent.y)};
+    }
 
     double totalWork() const {
         double work = chartWork * static_cast<double>(choice_.charts.size());
-        for (const auto &list : {choice_.figures, choice_.films})
-            for (const Scene &scene : list) work += pixels() * viewsPerScene * scene.effort;
+        for (const Chapter &chapter : choice_.chapters) {
+            for (const Scene &scene : chapter.scenes) {
+                for (const V2f &extent : scene.views.extents) {
+                    const V2i size = sizeOf(extent);
+                    work += static_cast<double>(size.x) * size.y * scene.effort;
+                }
+            }
+        }
         return work;
     }
 
@@ -103,19 +113,24 @@ private:
         if (given_) return *given_;
         const auto found = environments_.find(lighting);
         if (found != environments_.end()) return found->second;
-        return environments_.emplace(lighting, mapOf(lighting)).first->second;
+        return environments_.emplace(lighting, render::environmentOf(lighting, subject_.directory)).first->second;
     }
 
-    Section scenesInSection(const std::vector<Scene> &list, int columns, Progress &progress) {
-        Section section{columns, 1, {}};
-        for (const Scene &scene : list) section.cells.push_back({scene.caption, pictures(scene, progress)});
+    Section chapterInSection(const Chapter &chapter, Progress &progress) {
+        Section section{chapter.columns, 1, {}};
+        for (const Scene &scene : chapter.scenes) {
+            const V2f &extent = scene.views.extents.front();
+            section.aspect = extent.y / extent.x;
+            section.cells.push_back(
+                {scene.caption, pictures(scene, progress), scene.labels.columns, scene.labels.rows});
+        }
         return section;
     }
 
     std::vector<OIIO::ImageBuf> pictures(const Scene &scene, Progress &progress) {
         RenderSettings settings;
-        settings.width = settings.height = options_.size;
-        settings.samplesPerPixel = options_.samplesPerPixel * scene.effort;
+        settings.samplesPerPixel =
+            std::max(1, static_cast<int>(static_cast<float>(options_.samplesPerPixel) * scene.effort));
         settings.seed = options_.seed;
         settings.threads = options_.threads;
         settings.path.indirectLimit = 2;
@@ -123,7 +138,12 @@ private:
 
         std::vector<OIIO::ImageBuf> shown;
         progress.label(scene.name);
-        for (const View &view : scene.views(scene.material(), subject_)) {
+        const std::vector<View> views = scene.views.make(subject_);
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const View &view = views[i];
+            const V2i size = sizeOf(scene.views.extents.at(i));
+            settings.width = size.x;
+            settings.height = size.y;
             const std::string name = scene.name + "." + view.name;
             progress.label(name);
             const Picture picture =
@@ -146,7 +166,7 @@ private:
             const OIIO::ImageBuf shown = displayChart(linear, chart.exposure);
             writePng(shown, options_.out / (chart.name + ".png"));
             section.aspect = static_cast<float>(shown.spec().height) / static_cast<float>(shown.spec().width);
-            section.cells.push_back({chart.caption, {shown}});
+            section.cells.push_back({chart.caption, {shown}, {}, {}});
             progress.advance(chartWork);
             ++written_;
         }
@@ -164,8 +184,8 @@ private:
 } // namespace
 
 void listGallery() {
-    for (const Scene &scene : scenes()) list(scene.name, scene.caption);
-    for (const Scene &scene : filmScenes()) list(scene.name, scene.caption);
+    for (const Chapter &chapter : chapters())
+        for (const Scene &scene : chapter.scenes) list(scene.name, scene.caption);
     for (const Chart &chart : charts()) list(chart.name, chart.caption);
 }
 

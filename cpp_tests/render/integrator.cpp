@@ -1,5 +1,7 @@
 #include "integrator.hpp"
 
+#include "normal_map.hpp"
+
 #include <algorithm>
 
 namespace render {
@@ -10,11 +12,18 @@ class Shading {
 public:
     Shading(const Hit &hit, const V3f &toViewer) : material_(*hit.material), point_(hit.point) {
         Frame &frame = point_.shading;
+        V3f interpolated = frame.normal;
+        if (material_.hasNormalMap())
+            frame = frameAround(mappedNormal(point_, material_.normalAt(point_)));
         // pellicle's models without TRANSMISSION are one-sided: show them from both sides.
         if (!material_.transmits() && dot(toViewer, point_.geometricNormal) < 0) {
             point_.geometricNormal = -point_.geometricNormal;
             frame = frameAround(-frame.normal);
+            interpolated = -interpolated;
         }
+        if (material_.hasNormalMap() && !material_.transmits())
+            frame = frameAround(
+                keepReflectionAbove(frame.normal, interpolated, point_.geometricNormal, toViewer));
         // Where interpolation has turned the normal away from the viewer it is turned back until it is
         // just visible, as otherwise outlines would be black (A. Keller et al., "The Iray Light
         // Transport Simulation and Rendering System", 2017, does so too).
@@ -29,6 +38,7 @@ public:
     }
 
     const SurfacePoint &point() const { return point_; }
+    const Rgb &ambientReflectance() const { return material_.ambientReflectance(); }
     bool onlyDirac() const { return material_.onlyDirac(); }
     bool transmits() const { return material_.transmits(); }
 
@@ -129,6 +139,7 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
     // Reflections behind the camera's, those in mirrors seen by it not counted.
     int reflections = 0;
     bool inMirrors = true;
+    float atFirst = 1; ///< throughput behind the first surface
     const auto limited = [&](const Rgb &light, int behind) {
         const float brightest = maxComponent(light);
         return behind > 0 && brightest > settings.indirectLimit
@@ -150,6 +161,7 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
         const SurfacePoint &point = shading.point();
         if (bounce == 0) firstHit = {point.shading.normal, hit->distance};
         if (bounce == settings.maxBounces) return sum;
+        sum += limited(throughput * world.ambient() * shading.ambientReflectance(), reflections);
 
         lightSamples = inMirrors ? settings.lightSamples : 1;
         if (!shading.onlyDirac()) {
@@ -169,12 +181,15 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
         ray = leaveSurface(point.position, point.geometricNormal, next.toLight);
 
         // Russian roulette (J. Arvo and D. Kirk, "Particle Transport and Image Synthesis", SIGGRAPH
-        // 1990). Below 1, as the paper's variant can reflect more light than it receives; well above
-        // 0, and not at the first surface, seen directly or in mirrors, as what dark surfaces reflect
-        // would become speckles.
+        // 1990), by what is lost since the first surface, seen directly or in mirrors: what dark
+        // surfaces reflect would become speckles otherwise. Below 1, as the paper's variant can reflect
+        // more light than it receives, and well above 0.
         if (isBlack(throughput)) return sum;
-        if (inMirrors || bounce == 0) continue;
-        const float survival = std::clamp(maxComponent(throughput), 0.25f, 0.95f);
+        if (reflections <= 1) {
+            atFirst = maxComponent(throughput);
+            continue;
+        }
+        const float survival = std::clamp(maxComponent(throughput) / atFirst, 0.5f, 0.95f);
         if (sampler.next1d() >= survival) return sum;
         throughput *= 1 / survival;
     }

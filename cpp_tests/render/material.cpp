@@ -30,4 +30,21 @@ Material::Varying Material::varyingAt(const SurfacePoint &point) const {
     return varying;
 }
 
+Material &Material::mapNormals(Pattern normals) {
+    if (normals.components != 3) throw std::logic_error("a normal map has three components");
+    normals_ = std::move(normals);
+    return *this;
+}
+
+Material &Material::reflectAmbient(const Rgb &reflectance) {
+    ambientReflectance_ = reflectance;
+    return *this;
+}
+
+V3f Material::normalAt(const SurfacePoint &point) const {
+    V3f normal;
+    normals_->write(point, &normal.x);
+    return normal;
+}
+
 } // namespace render

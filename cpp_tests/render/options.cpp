@@ -33,7 +33,11 @@ Options parseCommandLine(int argc, char **argv) {
     app.add_option("--spp", samplesPerPixel, "Samples per pixel; powers of two are best")
         ->check(CLI::Range(1, 65536));
     app.add_option("--mesh", options.mesh, "Wavefront OBJ to show in place of the bunny");
-    app.add_option("--env", options.environment, "Latitude-longitude image (EXR, HDR) to light with");
+    CLI::Option *environment =
+        app.add_option("--env", options.environment, "Latitude-longitude image (EXR, HDR) to light with");
+    app.add_option("--cube-map", options.cubeMap,
+                   "Six images to light with instead: PREFIXpx.exr and nx, py, ny, pz, nz, of any format")
+        ->excludes(environment);
     app.add_option("--out", options.out, "Directory for the pictures; made if missing")
         ->capture_default_str();
     app.add_option("--threads", options.threads, "Threads; 0: one per core")->check(CLI::Range(0, 1024));

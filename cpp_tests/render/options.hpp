@@ -13,6 +13,7 @@ struct Options {
     bool list = false;
     std::vector<std::string> scenes; ///< empty: all
     std::filesystem::path mesh, environment, out = "out";
+    std::string cubeMap; ///< what the names of the six images begin with; empty: none
     int size, samplesPerPixel;
     int threads = 0;
     std::uint32_t seed = 1;

@@ -7,6 +7,9 @@ namespace render {
 
 struct Ray {
     V3f origin, direction; ///< direction has unit length
+    /// Radians: the cone that stands for the ray's pixel. 0 after scattering: textures are then read
+    /// in full detail and the samples average them.
+    float spread = 0;
 };
 
 /// The ray from a surface into `direction`, its origin moved along the geometric normal by a few

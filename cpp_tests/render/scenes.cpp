@@ -1,5 +1,7 @@
 #include "scenes.hpp"
 
+#include <stdexcept>
+
 namespace render {
 namespace {
 
@@ -36,7 +38,7 @@ std::shared_ptr<const Material> layered(const Layer &layer) {
 }
 
 Scene scene(std::string name, std::string caption, const Layer &layer, float exposure = 0) {
-    return {std::move(name), std::move(caption), [layer] { return layered(layer); }, exposure};
+    return {std::move(name), std::move(caption), sphereAndMesh([layer] { return layered(layer); }), exposure};
 }
 
 std::array<float, 3> everywhere(float eta) { return {eta, eta, eta}; }
@@ -90,6 +92,23 @@ const std::vector<Scene> &scenes() {
               conserving(figure5(146, 200)), -0.6f),
     };
     return all;
+}
+
+const std::vector<Chapter> &chapters() {
+    static const std::vector<Chapter> all = [] {
+        std::vector<Chapter> list{{5, scenes()}, {6, filmScenes()}};
+        for (Chapter &chapter : microfacetChapters()) list.push_back(std::move(chapter));
+        for (Chapter &chapter : textureChapters()) list.push_back(std::move(chapter));
+        return list;
+    }();
+    return all;
+}
+
+const Scene &sceneNamed(const std::string &name) {
+    for (const Chapter &chapter : chapters())
+        for (const Scene &scene : chapter.scenes)
+            if (scene.name == name) return scene;
+    throw std::runtime_error("there is no scene \"" + name + "\"; --list shows those there are");
 }
 
 } // namespace render

@@ -1,26 +1,28 @@
-// The gallery's scenes, as data: a new one is added in scenes.cpp or film_scenes.cpp and nowhere else.
+// The gallery's scenes, as data: a new one is added to one of these lists and nowhere else.
 #pragma once
 
 #include "lighting.hpp"
-#include "material.hpp"
 #include "view.hpp"
 
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace render {
 
+/// What is beside the rows and under the columns of a picture of many objects.
+struct Labels {
+    std::vector<std::string> columns, rows;
+};
+
 struct Scene {
-    std::string name;                                          ///< of its files, and for --scene
-    std::string caption;                                       ///< under its pictures; lines end in \n
-    std::function<std::shared_ptr<const Material>()> material; ///< of the object
+    std::string name;    ///< of its files, and for --scene
+    std::string caption; ///< under its pictures; lines end in \n
+    Views views;
     float exposure; ///< stops; part of the scene because materials differ in brightness
-    Views views = sphereAndMesh();
     Lighting lighting = Lighting::studio;
-    int effort = 1; ///< how many times as many samples: for light that is chosen rarely
+    float effort = 1; ///< how many times as many samples: for light that is chosen rarely
     int maxBounces = 5;
+    Labels labels{};
 };
 
 /// The paper's figures.
@@ -28,5 +30,23 @@ const std::vector<Scene> &scenes();
 
 /// Surfaces with real thin films.
 const std::vector<Scene> &filmScenes();
+
+/// Scenes that are shown together, in as many columns; their pictures have one shape.
+struct Chapter {
+    int columns;
+    std::vector<Scene> scenes;
+};
+
+/// Rough surfaces: grids of spheres, and rows of them.
+std::vector<Chapter> microfacetChapters();
+
+/// Phong's terms, image textures and environment maps.
+std::vector<Chapter> textureChapters();
+
+/// All of the above, in the order of the contact sheet.
+const std::vector<Chapter> &chapters();
+
+/// Throws std::runtime_error if there is none.
+const Scene &sceneNamed(const std::string &name);
 
 } // namespace render

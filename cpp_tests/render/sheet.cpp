@@ -30,16 +30,32 @@ void place(OIIO::ImageBuf &sheet, const OIIO::ImageBuf &picture, int x, int y, i
         throw std::runtime_error("cannot lay out the contact sheet: " + sheet.geterror());
 }
 
+/// False without the font; the sheet then stays without captions.
+bool write(OIIO::ImageBuf &sheet, const std::string &line, int x, int y, const float (&colour)[3],
+           OIIO::ImageBufAlgo::TextAlignX align = OIIO::ImageBufAlgo::TextAlignX::Left) {
+    if (OIIO::ImageBufAlgo::render_text(sheet, x, y, line, fontSize, font, colour, align)) return true;
+    sheet.geterror();
+    return false;
+}
+
 /// The first line is the title.
-void write(OIIO::ImageBuf &sheet, const std::vector<std::string> &lines, int x, int y) {
+void writeCaption(OIIO::ImageBuf &sheet, const std::vector<std::string> &lines, int x, int y) {
     for (const std::string &line : lines) {
         y += lineHeight;
-        const bool title = &line == &lines.front();
-        if (!OIIO::ImageBufAlgo::render_text(sheet, x + 2, y, line, fontSize, font, title ? bright : dim)) {
-            sheet.geterror(); // no font: the sheet stays without captions
-            return;
-        }
+        if (!write(sheet, line, x + 2, y, &line == &lines.front() ? bright : dim)) return;
     }
+}
+
+/// Of a picture whose upper left corner is given, and of the line below it.
+void writeLabels(OIIO::ImageBuf &sheet, const Cell &cell, int x, int y, int width, int height) {
+    const auto count = [](const std::vector<std::string> &labels) { return static_cast<int>(labels.size()); };
+    for (int i = 0; i < count(cell.columns); ++i) {
+        const int centre = x + (2 * i + 1) * width / (2 * count(cell.columns));
+        write(sheet, cell.columns[i], centre, y + height + lineHeight, dim,
+              OIIO::ImageBufAlgo::TextAlignX::Center);
+    }
+    for (int i = 0; i < count(cell.rows); ++i)
+        write(sheet, cell.rows[i], x + gap / 2, y + i * height / count(cell.rows) + fontSize + gap / 4, dim);
 }
 
 /// A section's measures, in pixels.
@@ -50,7 +66,7 @@ struct Layout {
         std::size_t stacked = 0, lines = 0;
         for (const Cell &cell : section.cells) {
             stacked = std::max(stacked, cell.pictures.size());
-            lines = std::max(lines, linesOf(cell.caption).size());
+            lines = std::max(lines, linesOf(cell.caption).size() + (cell.columns.empty() ? 0 : 1));
         }
         const int count = static_cast<int>(section.cells.size());
         columns = std::min(section.columns, count);
@@ -72,9 +88,10 @@ void draw(OIIO::ImageBuf &sheet, const Section &section, const Layout &layout, i
         int y = top + i / layout.columns * layout.cellHeight;
         for (const OIIO::ImageBuf &picture : cell.pictures) {
             place(sheet, picture, x, y, layout.pictureWidth, layout.pictureHeight);
+            writeLabels(sheet, cell, x, y, layout.pictureWidth, layout.pictureHeight);
             y += layout.pictureHeight + gap / 2;
         }
-        write(sheet, linesOf(cell.caption), x, y - gap / 2);
+        writeCaption(sheet, linesOf(cell.caption), x, y - gap / 2 + (cell.columns.empty() ? 0 : lineHeight));
     }
 }
 

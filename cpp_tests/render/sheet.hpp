@@ -11,6 +11,8 @@ namespace render {
 struct Cell {
     std::string caption;                  ///< lines end in \n
     std::vector<OIIO::ImageBuf> pictures; ///< below one another, for display
+    std::vector<std::string> columns;     ///< labels of equally wide columns, under the pictures
+    std::vector<std::string> rows;        ///< labels of equally high rows, in the upper left corner of each
 };
 
 /// Cells side by side, in as many rows as it takes, each with its caption underneath.

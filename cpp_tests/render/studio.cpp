@@ -30,6 +30,21 @@ const std::vector<SoftBox> wideBoxes{
     {48, 34, 24, 66, -6, Rgb(0.9f, 0.9f, 0.9f)},    // behind, right
 };
 
+const std::vector<SoftBox> roomBoxes{
+    {116, 14, 50, 74, 0, Rgb(0.62f, 0.6f, 0.57f)},    // right, in front
+    {-42, 24, 26, 66, 8, Rgb(0.72f, 0.74f, 0.76f)},   // behind, left
+    {44, 22, 22, 62, -8, Rgb(0.65f, 0.65f, 0.65f)},   // behind, right
+};
+
+/// Two panes wide and three high.
+const std::vector<SoftBox> windowPanes = [] {
+    std::vector<SoftBox> panes;
+    for (const float azimuth : {-145.0f, -119.0f})
+        for (const float elevation : {2.0f, 25.0f, 48.0f})
+            panes.push_back({azimuth, elevation, 23, 21, 0, Rgb(2.2f, 2.2f, 2.16f)});
+    return panes;
+}();
+
 /// Radiance falls to 0 over this fraction of a box's half width and height.
 constexpr float softEdge = 0.25f;
 
@@ -87,6 +102,32 @@ LatLongMap darkRoom() {
 
 LatLongMap tent() {
     return draw([](const V3f &direction) { return Rgb(0.16f) + lightOf(wideBoxes, direction); });
+}
+
+LatLongMap windowRoom() {
+    return draw([](const V3f &direction) {
+        // From the floor through the walls to the ceiling; darker straight behind the object.
+        const float room = lerp(0.1f, 0.26f, smoothstep(-0.9f, 0.9f, direction.y));
+        const float grey = room * lerp(1, 0.2f, smoothstep(std::cos(radians(50)), 1, -direction.z));
+        return Rgb(grey) + lightOf(roomBoxes, direction) + lightOf(windowPanes, direction);
+    });
+}
+
+LatLongMap spotInRoom() {
+    const std::vector<SoftBox> spot{{-148, 40, 6, 6, 0, Rgb(200)}};
+    return draw([&](const V3f &direction) {
+        return Rgb(lerp(0.03f, 0.08f, smoothstep(-0.5f, 1, direction.y))) + lightOf(spot, direction);
+    });
+}
+
+LatLongMap frontLamp() {
+    const std::vector<SoftBox> lamp{{180, 14, 8, 8, 0, Rgb(200)}};
+    return draw([&](const V3f &direction) { return Rgb(0.02f) + lightOf(lamp, direction); });
+}
+
+LatLongMap lamp() {
+    const std::vector<SoftBox> boxes{{-140, 42, 6, 6, 0, Rgb(340)}};
+    return draw([&](const V3f &direction) { return lightOf(boxes, direction); });
 }
 
 // P. Moon and D. Spencer, "Illumination from a Non-Uniform Sky", Illuminating Engineering 37, 1942.

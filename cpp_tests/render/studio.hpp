@@ -1,4 +1,4 @@
-// The embedded environments: a photographer's studio, lit in three ways, and a sky.
+// The embedded environments: a photographer's studio, lit in several ways, and a sky.
 #pragma once
 
 #include "environment.hpp"
@@ -16,6 +16,19 @@ LatLongMap darkRoom();
 
 /// The same with grey gaps: metals show their own colour all over and keep a shape.
 LatLongMap tent();
+
+/// A grey room with a window of small panes on the left, in front, and pale soft boxes on the right and
+/// behind. Nothing is black, and nothing is so bright that its image in a good mirror would be only white.
+LatLongMap windowRoom();
+
+/// A lamp of 6 degrees at the upper left, in front, in a dim grey room.
+LatLongMap spotInRoom();
+
+/// A lamp of 8 degrees where the camera of rows of spheres is, and little else.
+LatLongMap frontLamp();
+
+/// A lamp of 6 degrees at the upper left, in front, in the dark.
+LatLongMap lamp();
 
 /// The CIE's standard overcast sky: the zenith, of radiance 1, three times as bright as the horizon.
 LatLongMap cloudedSky();

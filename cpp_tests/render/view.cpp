@@ -17,18 +17,20 @@ std::unique_ptr<World> committed(std::unique_ptr<World> world) {
     return world;
 }
 
-} // namespace
-
-Views sphereAndMesh(Floor floor) {
-    return [floor](const std::shared_ptr<const Material> &material, const Subject &mesh) {
-        std::vector<View> views;
-        views.push_back({"sphere", stage(nullptr, material, floor), stageCamera()});
-        views.push_back({mesh.name, stage(mesh.mesh, material, floor), stageCamera()});
-        return views;
-    };
+/// Two squares.
+Views pair(std::function<std::vector<View>(const Subject &)> make) {
+    return {{V2f(1), V2f(1)}, std::move(make)};
 }
 
-std::vector<View> bubbleAndFrame(const std::shared_ptr<const Material> &material, const Subject &) {
+std::vector<View> sphereAndMeshOf(const std::shared_ptr<const Material> &material, const Subject &mesh,
+                                  Floor floor) {
+    std::vector<View> views;
+    views.push_back({"sphere", stage(nullptr, material, floor), stageCamera()});
+    views.push_back({mesh.name, stage(mesh.mesh, material, floor), stageCamera()});
+    return views;
+}
+
+std::vector<View> bubbleAndFrameOf(const std::shared_ptr<const Material> &material) {
     auto bubble = std::make_unique<World>();
     bubble->add(Sphere{V3f(0), 1}, material);
 
@@ -46,7 +48,7 @@ std::vector<View> bubbleAndFrame(const std::shared_ptr<const Material> &material
     return views;
 }
 
-std::vector<View> dish(const std::shared_ptr<const Material> &material, const Subject &) {
+std::vector<View> dishOf(const std::shared_ptr<const Material> &material) {
     const auto world = [&] {
         auto dish = std::make_unique<World>();
         dish->add(share(square(60)), grey(0.01f));
@@ -65,17 +67,34 @@ std::vector<View> dish(const std::shared_ptr<const Material> &material, const Su
     return views;
 }
 
-Views waferAndMesh(Floor floor) {
-    return [floor](const std::shared_ptr<const Material> &material, const Subject &mesh) {
-        const float lean = radians(42);
-        std::vector<View> views;
-        views.push_back({"wafer",
-                         stage(share(disc(V3f(0, 0.92f, 0), V3f(0, std::sin(lean), std::cos(lean)), 1.2f)),
-                               material, floor),
-                         stageCamera()});
-        views.push_back({mesh.name, stage(mesh.mesh, material, floor), stageCamera()});
-        return views;
-    };
+std::vector<View> waferAndMeshOf(const std::shared_ptr<const Material> &material, const Subject &mesh,
+                                 Floor floor) {
+    const float lean = radians(42);
+    std::vector<View> views;
+    views.push_back({"wafer",
+                     stage(share(disc(V3f(0, 0.92f, 0), V3f(0, std::sin(lean), std::cos(lean)), 1.2f)),
+                           material, floor),
+                     stageCamera()});
+    views.push_back({mesh.name, stage(mesh.mesh, material, floor), stageCamera()});
+    return views;
+}
+
+} // namespace
+
+Views sphereAndMesh(MakeMaterial material, Floor floor) {
+    return pair([=](const Subject &mesh) { return sphereAndMeshOf(material(), mesh, floor); });
+}
+
+Views bubbleAndFrame(MakeMaterial material) {
+    return pair([=](const Subject &) { return bubbleAndFrameOf(material()); });
+}
+
+Views dish(MakeMaterial material) {
+    return pair([=](const Subject &) { return dishOf(material()); });
+}
+
+Views waferAndMesh(MakeMaterial material, Floor floor) {
+    return pair([=](const Subject &mesh) { return waferAndMeshOf(material(), mesh, floor); });
 }
 
 } // namespace render

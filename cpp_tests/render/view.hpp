@@ -5,6 +5,7 @@
 #include "stage.hpp"
 #include "world.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@ namespace render {
 struct Subject {
     std::string name;
     std::shared_ptr<const Mesh> mesh;
+    std::filesystem::path directory{}; ///< for the images that scenes make and read
 };
 
 /// One picture. The world is committed.
@@ -25,20 +27,25 @@ struct View {
     Camera camera;
 };
 
-/// The views of a scene, made of its material and of the user's mesh.
-using Views =
-    std::function<std::vector<View>(const std::shared_ptr<const Material> &material, const Subject &mesh)>;
+/// A scene's pictures, and what they need before they are made.
+struct Views {
+    std::vector<V2f> extents; ///< width and height of each, in units of the program's --size
+    std::function<std::vector<View>(const Subject &mesh)> make; ///< as many as there are extents
+};
+
+/// Called for scenes that are rendered and for no others: films take time to compile.
+using MakeMaterial = std::function<std::shared_ptr<const Material>()>;
 
 /// The sphere and the mesh, each on the stage.
-Views sphereAndMesh(Floor floor = {});
+Views sphereAndMesh(MakeMaterial material, Floor floor = {});
 
 /// A floating sphere, and a vertical film in a wire ring: for what is thin and transparent.
-std::vector<View> bubbleAndFrame(const std::shared_ptr<const Material> &material, const Subject &mesh);
+Views bubbleAndFrame(MakeMaterial material);
 
 /// A dish filled to the rim, from above and from the side.
-std::vector<View> dish(const std::shared_ptr<const Material> &material, const Subject &mesh);
+Views dish(MakeMaterial material);
 
 /// A round slice that leans towards the camera, and the mesh on the stage.
-Views waferAndMesh(Floor floor);
+Views waferAndMesh(MakeMaterial material, Floor floor);
 
 } // namespace render

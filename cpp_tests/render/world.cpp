@@ -1,5 +1,7 @@
 #include "world.hpp"
 
+#include "footprint.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -38,7 +40,12 @@ SurfacePoint pointOnSphere(const Sphere &sphere, const V3f &near) {
     point.position = sphere.centre + normal * sphere.radius;
     point.geometricNormal = normal;
     point.shading = frameAround(normal);
-    point.uv = {0.5f + std::atan2(normal.x, -normal.z) / (2 * pi), std::acos(normal.y) / pi};
+    // The picture's middle faces the camera's side, +z, and its seam is behind.
+    point.uv = {0.5f + std::atan2(normal.x, normal.z) / (2 * pi),
+                1 - std::acos(std::clamp(normal.y, -1.0f, 1.0f)) / pi};
+    const V3f around = cross(V3f(0, 1, 0), normal);
+    point.alongU = around * (2 * pi * sphere.radius);
+    point.alongV = cross(normal, around).normalized() * (pi * sphere.radius); // 0 at the poles
     point.objectPosition = normal;
     return point;
 }
@@ -56,6 +63,9 @@ SurfacePoint pointOnMesh(const Mesh &mesh, unsigned triangle, float u, float v) 
     if (dot(normal, point.geometricNormal) < 0) point.geometricNormal = -point.geometricNormal;
     point.shading = frameAround(normal);
     point.uv = interpolate(mesh.uvs[triangle], u, v);
+    const TextureTangents tangents = textureTangents({a, b, c}, mesh.uvs[triangle]);
+    point.alongU = tangents.alongU;
+    point.alongV = tangents.alongV;
     point.objectPosition = point.position;
     return point;
 }
@@ -117,9 +127,11 @@ std::optional<Hit> World::intersect(const Ray &ray) const {
 
     const Object &object = objects_[query.hit.geomID];
     const float distance = query.ray.tfar;
-    return Hit{object.mesh ? pointOnMesh(*object.mesh, query.hit.primID, query.hit.u, query.hit.v)
-                           : pointOnSphere(object.sphere, ray.origin + ray.direction * distance),
-               object.material.get(), distance};
+    Hit hit{object.mesh ? pointOnMesh(*object.mesh, query.hit.primID, query.hit.u, query.hit.v)
+                        : pointOnSphere(object.sphere, ray.origin + ray.direction * distance),
+            object.material.get(), distance};
+    hit.point.footprint = footprintOf(hit.point, ray, distance);
+    return hit;
 }
 
 bool World::occluded(const Ray &ray) const {

@@ -37,6 +37,11 @@ public:
     /// Call once, after the last add(). Throws std::runtime_error if Embree fails.
     void commit();
 
+    /// Radiance that reaches every point from everywhere, through everything: the ambient light of
+    /// B. Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975. 0 if not set.
+    void setAmbient(const Rgb &radiance) { ambient_ = radiance; }
+    const Rgb &ambient() const { return ambient_; }
+
     std::optional<Hit> intersect(const Ray &ray) const;
     bool occluded(const Ray &ray) const;
 
@@ -52,6 +57,7 @@ private:
     RTCDevice device_;
     RTCScene scene_;
     std::vector<Object> objects_; ///< by Embree's geometry number
+    Rgb ambient_{0};
 };
 
 } // namespace render

@@ -55,6 +55,7 @@ TEST_CASE("--list names the scenes") {
     CHECK(result.output.find("fig2-old-metal") != std::string::npos);
     CHECK(result.output.find("fig5-thick") != std::string::npos);
     CHECK(result.output.find("titanium") != std::string::npos);
+    CHECK(result.output.find("film-spheres") != std::string::npos);
     CHECK(result.output.find("newton-soap") != std::string::npos);
 }
 
@@ -74,6 +75,9 @@ TEST_CASE("what cannot be done is refused in one line") {
     checkRefused("--mesh " + (directory / "poem.obj"), "poem.obj");
     checkRefused("--env /no/such.exr", "/no/such.exr");
     checkRefused("--env " + (directory / "broken.exr"), "broken.exr");
+    checkRefused("--cube-map /no/such/sky.", "/no/such");
+    checkRefused("--cube-map " + (directory / "sky."), "sky.px");
+    checkRefused("--cube-map sky. --env sky.exr", "--env");
     checkRefused("--out /proc/nowhere --scene fig2-clay --size 16 --spp 1", "/proc/nowhere");
 }
 
@@ -134,6 +138,29 @@ TEST_CASE("any mesh and environment will do") {
     const auto mean = OIIO::ImageBufAlgo::computePixelStats(picture).avg;
     CHECK(mean[0] > 1.5f * mean[1]);
     CHECK(mean[1] > 1.5f * mean[2]);
+
+    OIIO::ImageBuf face(OIIO::ImageSpec(4, 4, 3, OIIO::TypeFloat));
+    OIIO::ImageBufAlgo::fill(face, {0.25f, 0.5f, 1.0f});
+    for (const char *name : {"px", "nx", "py", "ny", "pz", "nz"})
+        REQUIRE(face.write((directory / "face-") + name + ".hdr"));
+    CHECK(run("--scene fig2-clay --size 32 --spp 4 --cube-map " + (directory / "face-") + " --out " + out,
+              "2>/dev/null")
+              .exitCode == 0);
+    OIIO::ImageBuf bluish(out + "/fig2-clay.sphere.exr");
+    REQUIRE(bluish.read(0, 0, true));
+    const auto blueMean = OIIO::ImageBufAlgo::computePixelStats(bluish).avg;
+    CHECK(blueMean[2] > 1.5f * blueMean[1]);
+    CHECK(blueMean[1] > 1.5f * blueMean[0]);
+}
+
+TEST_CASE("textured scenes write their images and read them back") {
+    const TemporaryDirectory directory;
+    const std::string out = (directory / "out");
+    CHECK(run("--scene textures --size 32 --spp 1 --out " + out, "2>/dev/null").exitCode == 0);
+    for (const char *file : {"textures.box.png", "textures.bunny.png", "maps/plates.base_color.png",
+                             "maps/plates.normal.png", "maps/bronze.metallic.png", "maps/slabs.roughness.png",
+                             "maps/landscape.exr"})
+        CHECK(fs::exists(fs::path(out) / file));
 }
 
 TEST_SUITE_END();

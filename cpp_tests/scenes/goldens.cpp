@@ -1,6 +1,6 @@
-// One small picture per figure and of a film, compared with the one that was looked at and checked in. With the
-// environment variable PELLICLE_RENEW_GOLDENS set the pictures are written instead: look at them
-// before checking them in.
+// One small picture per figure, of a film and of the 25 spheres, compared with the one that was looked
+// at and checked in. With the environment variable PELLICLE_RENEW_GOLDENS set the pictures are written
+// instead: look at them before checking them in.
 
 #include "picture.hpp"
 #include "render.hpp"
@@ -9,6 +9,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 using namespace render;
@@ -21,22 +22,21 @@ constexpr float tolerance = 3.0f / 255, tolerated = 0.02f;
 
 /// The first view of a scene, or the second, which shows `mesh`.
 OIIO::ImageBuf renderSmall(const std::string &name, const std::shared_ptr<const Mesh> &mesh) {
-    for (const auto &list : {scenes(), filmScenes()}) {
-        for (const Scene &scene : list) {
-            if (scene.name != name) continue;
-            RenderSettings settings;
-            settings.width = settings.height = 64;
-            settings.samplesPerPixel = 64 * scene.effort;
-            settings.seed = 1;
-            settings.path.maxBounces = scene.maxBounces;
-            const std::vector<View> views = scene.views(scene.material(), {"mesh", mesh});
-            const View &view = views.at(mesh ? 1 : 0);
-            const Picture picture =
-                renderPicture(*view.world, Environment(mapOf(scene.lighting)), view.camera, settings);
-            return display(picture, scene.exposure);
-        }
-    }
-    throw std::runtime_error("no scene " + name);
+    const Scene &scene = sceneNamed(name);
+    const std::size_t shown = mesh ? 1 : 0;
+    const V2f &extent = scene.views.extents.at(shown);
+    RenderSettings settings;
+    settings.width = static_cast<int>(std::lround(64 * extent.x));
+    settings.height = static_cast<int>(std::lround(64 * extent.y));
+    settings.samplesPerPixel = static_cast<int>(64 * scene.effort);
+    settings.seed = 1;
+    settings.path.maxBounces = scene.maxBounces;
+    const std::vector<View> views = scene.views.make({"mesh", mesh});
+    const View &view = views.at(shown);
+    const Picture picture =
+        renderPicture(*view.world, environmentOf(scene.lighting, std::filesystem::temp_directory_path()),
+                      view.camera, settings);
+    return display(picture, scene.exposure);
 }
 
 void checkGolden(const std::string &name, const std::shared_ptr<const Mesh> &mesh = nullptr) {
@@ -73,5 +73,7 @@ TEST_CASE("golden of figure 4") { checkGolden("fig4-oil"); }
 TEST_CASE("golden of figure 5") { checkGolden("fig5-medium"); }
 
 TEST_CASE("golden of anodised titanium") { checkGolden("titanium"); }
+
+TEST_CASE("golden of the 25 spheres") { checkGolden("spheres"); }
 
 TEST_SUITE_END();

@@ -1,7 +1,6 @@
 // Light sampling, BSDF sampling and both together are three ways to the same picture.
 
 #include "scenes.hpp"
-#include "stage.hpp"
 #include "statistics.hpp"
 
 #include <doctest/doctest.h>
@@ -22,15 +21,10 @@ Environment mottledSky() {
     return Environment(map);
 }
 
-const Scene &sceneNamed(const std::string &name) {
-    for (const Scene &scene : scenes())
-        if (scene.name == name) return scene;
-    throw std::runtime_error("no scene " + name);
-}
-
 void checkTechniquesAgree(const std::string &name) {
     const Environment sky = mottledSky();
-    const auto world = stage(nullptr, sceneNamed(name).material());
+    const std::vector<View> views = sceneNamed(name).views.make({});
+    const View &view = views.front();
     RenderSettings settings;
     settings.width = settings.height = 32;
     const auto mean = [&](Technique technique) {
@@ -38,7 +32,7 @@ void checkTechniquesAgree(const std::string &name) {
         return pictureMean(16, [&](std::uint32_t seed) {
             // Seeds of their own, so that the estimates compared are independent.
             settings.seed = seed + 1000 * static_cast<std::uint32_t>(technique);
-            return renderPicture(*world, sky, stageCamera(), settings);
+            return renderPicture(*view.world, sky, view.camera, settings);
         });
     };
     const RgbEstimate combined = mean(Technique::combined);
