@@ -3,6 +3,7 @@
 #include "support.hpp"
 
 #include <cmath>
+#include <string_view>
 
 namespace {
 
@@ -124,8 +125,13 @@ TEST_CASE("names: an unknown choice is refused with the list of choices, a known
                       "no such choice");
         CHECK(support::message_has(param.name));
         for (std::uint32_t i = 0; i < param.choice_count; ++i) CHECK(support::message_has(param.choices[i]));
-        for (std::uint32_t i = 0; i < param.choice_count; ++i)
-            CHECK_EQ(create(model.info.name, {choice(param.name, param.choices[i])}), PELLICLE_OK);
+        for (std::uint32_t i = 0; i < param.choice_count; ++i) {
+            const PellicleParam known = choice(param.name, param.choices[i]);
+            if (std::string_view(param.choices[i]) == "film")
+                CHECK_REFUSED(create(model.info.name, {known}), PELLICLE_INVALID_ARGUMENT, "film");
+            else
+                CHECK_EQ(create(model.info.name, {known}), PELLICLE_OK);
+        }
     });
 }
 

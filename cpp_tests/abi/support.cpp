@@ -1,5 +1,6 @@
 #include "support.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -58,6 +59,8 @@ PellicleStatus create_film(const PellicleFilmDesc &desc) {
     return status;
 }
 
+static bool is_thickness(const PellicleModelParam &param) { return param.name == std::string("thickness_nm"); }
+
 std::vector<Model> models() {
     std::vector<Model> result(pellicle_model_count());
     REQUIRE_FALSE(result.empty());
@@ -67,9 +70,14 @@ std::vector<Model> models() {
         for (std::size_t param = 0; param < result[model].params.size(); ++param)
             REQUIRE_EQ(pellicle_model_param(model, param, &result[model].params[param], sizeof(PellicleModelParam)),
                        PELLICLE_OK);
-        if (!result[model].info.needs_film) continue;
-        for (PellicleModelParam &param : result[model].params)
-            if (param.name == std::string("thickness_nm")) param.max = varying_film_max_nm;
+        auto &params = result[model].params;
+        if (!result[model].info.needs_film)
+            params.erase(std::remove_if(params.begin(), params.end(), is_thickness), params.end());
+        for (PellicleModelParam &param : params) {
+            if (is_thickness(param)) param.max = varying_film_max_nm;
+            // 0 is a mirror, apart from the range that may vary.
+            if (param.name == std::string("alpha")) param.min = 1e-4f;
+        }
     }
     return result;
 }

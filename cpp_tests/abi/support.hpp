@@ -36,7 +36,8 @@ const pellicle::Film &fixed_film();
 // be forgotten.
 struct Model {
     PellicleModelInfo info;
-    // The range of a film's thickness is narrowed to that of varying_film().
+    // The range of a film's thickness is narrowed to that of varying_film(), that of alpha to what may
+    // vary; where a film is not a must, there is none and its thickness is left out.
     std::vector<PellicleModelParam> params;
 };
 std::vector<Model> models();

@@ -49,6 +49,14 @@ foreach(layout_and_libdir IN LISTS consumer_layouts)
             "${PROJECT_SOURCE_DIR}/examples/c/minimal.c" "${work}/minimal")
 endforeach()
 
+# The C++ example renders: one layout is enough, it takes some seconds.
+add_consumer_test(example.cpp.cmake plain
+    "${CMAKE_CTEST_COMMAND}" --build-and-test "${PROJECT_SOURCE_DIR}/examples/cpp"
+            "${CMAKE_CURRENT_BINARY_DIR}/consumer/plain/example-cpp"
+        --build-generator "${CMAKE_GENERATOR}"
+        --build-options "-Dpellicle_ROOT=${CMAKE_CURRENT_BINARY_DIR}/consumer/plain/moved"
+        --test-command "${consumer_dir}/render_and_check.sh" ./spheres spheres.png)
+
 # The first C block of the README is what people paste: it compiles and runs as printed.
 add_consumer_test(example.readme plain
     "${consumer_dir}/readme_example.sh" "${PROJECT_SOURCE_DIR}/README.md"

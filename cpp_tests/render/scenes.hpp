@@ -9,7 +9,7 @@
 
 namespace render {
 
-/// What is beside the rows and under the columns of a picture of many objects.
+/// What is written above the rows, inside, and below the columns of a picture of many objects.
 struct Labels {
     std::vector<std::string> columns, rows;
 };

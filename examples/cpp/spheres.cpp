@@ -1,0 +1,171 @@
+// A small path tracer: 25 spheres, metallic from bottom to top and rough from left to right, in a studio.
+// Usage: spheres [picture], by default spheres.png.
+//
+// One BSDF serves all spheres: roughness and metallic are declared as varying and come with every call.
+// Builds alone against an installed pellicle, see CMakeLists.txt beside it.
+
+#include <Imath/ImathColor.h>
+#include <Imath/ImathVec.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+#include <pellicle.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <future>
+#include <iostream>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+using Imath::C3f;
+using Imath::V3f;
+
+constexpr int size = 640, samplesPerPixel = 64, longestPath = 8, perSide = 5;
+constexpr float spacing = 2.3f, eyeDistance = 26, halfView = 6.1f;
+
+// Points of unit cubes for one sample of a pixel. The first five numbers are those of the sequence R5
+// (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), shifted per pixel.
+struct Numbers {
+    std::mt19937 &random;
+    const std::array<std::uint32_t, 5> &shift;
+    std::uint32_t index;
+    std::size_t used = 0;
+
+    float next() {
+        // 2^32 / phi^(i + 1), where phi^6 = phi + 1.
+        constexpr std::array<std::uint32_t, 5> steps{3785032106, 3335640776, 2939605022, 2590590015, 2283013049};
+        std::uint32_t bits = static_cast<std::uint32_t>(random());
+        if (used < steps.size()) bits = shift[used] + index * steps[used];
+        ++used;
+        return static_cast<float>(bits >> 8) * 0x1p-24f;
+    }
+};
+
+// A rectangle of light, infinitely far away; width and height are tangents of half its angles.
+float softBox(const V3f &direction, const V3f &towards, float width, float height) {
+    const V3f forward = towards.normalized(), right = V3f(0, 1, 0).cross(forward).normalized();
+    const float depth = direction.dot(forward);
+    if (depth <= 0) return 0;
+    const auto inside = [](float x) { return std::clamp(5 * (1 - std::fabs(x)), 0.0f, 1.0f); };
+    return inside(direction.dot(right) / depth / width) *
+           inside(direction.dot(forward.cross(right)) / depth / height);
+}
+
+// The studio's radiance: y is up, the camera looks along -z.
+C3f environment(const V3f &direction) {
+    const float height = (direction.y + 1) / 2, front = (direction.z + 1) / 2; // the backdrop is dark
+    return C3f(0.02f, 0.022f, 0.028f) + C3f(0.46f, 0.48f, 0.52f) * ((0.25f + 0.75f * height) * front) +
+           C3f(4.6f, 4.5f, 4.2f) * softBox(direction, {-1.0f, 0.7f, 0.9f}, 0.42f, 0.65f) + // key
+           C3f(0.9f, 1.0f, 1.2f) * softBox(direction, {1.0f, 0.1f, 0.4f}, 0.3f, 1.2f) +    // fill
+           C3f(2.2f, 2.2f, 2.2f) * softBox(direction, {0.4f, 1.0f, -0.3f}, 1.1f, 0.5f);    // from above
+}
+
+// Follows a path until it leaves the spheres. Directions are chosen by the BSDF alone.
+C3f radiance(const pellicle::Bsdf &bsdf, V3f origin, V3f direction, Numbers &numbers) {
+    C3f throughput(1);
+    for (int bounce = 0; bounce < longestPath; ++bounce) {
+        float nearest = INFINITY;
+        V3f centre;
+        std::array<float, 2> varying{}; // roughness and metallic, in declared order
+        for (int i = 0; i < perSide * perSide; ++i) {
+            const int column = i % perSide, row = i / perSide;
+            const V3f candidate = V3f(float(column - perSide / 2), float(row - perSide / 2), 0) * spacing;
+            const V3f toCentre = candidate - origin;
+            const float along = toCentre.dot(direction);
+            const float discriminant = 1 - (toCentre - direction * along).length2(); // radius 1
+            if (discriminant < 0) continue;
+            const float distance = along - std::sqrt(discriminant);
+            if (distance < 1e-3f || distance > nearest) continue;
+            nearest = distance;
+            centre = candidate;
+            varying = {float(column) / (perSide - 1), float(row) / (perSide - 1)};
+        }
+        if (nearest == INFINITY) return throughput * environment(direction);
+
+        // The shading frame: +Z is the normal. The material is isotropic, any tangent will do.
+        origin += direction * nearest;
+        const V3f normal = (origin - centre).normalized();
+        const V3f tangent = normal.cross(std::fabs(normal.x) < 0.5f ? V3f(1, 0, 0) : V3f(0, 1, 0)).normalized();
+        const V3f bitangent = normal.cross(tangent);
+        const std::array<float, 3> wo{-direction.dot(tangent), -direction.dot(bitangent), -direction.dot(normal)};
+        const std::array<float, 3> u{numbers.next(), numbers.next(), numbers.next()};
+        const PellicleSample sample = bsdf.sample(wo, u, varying.data());
+        throughput *= C3f(sample.weight[0], sample.weight[1], sample.weight[2]);
+        if (throughput == C3f(0)) break; // also when there was no valid sample
+        direction = (tangent * sample.wi[0] + bitangent * sample.wi[1] + normal * sample.wi[2]).normalized();
+    }
+    return C3f(0);
+}
+
+C3f pixel(const pellicle::Bsdf &bsdf, int x, int y, std::mt19937 &random) {
+    std::array<std::uint32_t, 5> shift;
+    for (std::uint32_t &number : shift) number = static_cast<std::uint32_t>(random());
+    C3f sum(0);
+    for (std::uint32_t i = 0; i < samplesPerPixel; ++i) {
+        Numbers numbers{random, shift, i};
+        const float right = 2 * (float(x) + numbers.next()) / size - 1;
+        const float up = 1 - 2 * (float(y) + numbers.next()) / size;
+        const V3f direction = V3f(right * halfView, up * halfView, -eyeDistance).normalized();
+        sum += radiance(bsdf, {0, 0, eyeDistance}, direction, numbers);
+    }
+    const C3f mean = sum / samplesPerPixel;
+    // E. Reinhard et al., "Photographic Tone Reproduction for Digital Images", 2002, eq. 4.
+    constexpr float white = 4;
+    const float luminance = 0.2126f * mean.x + 0.7152f * mean.y + 0.0722f * mean.z; // Rec.709
+    return mean * ((1 + luminance / (white * white)) / (1 + luminance));
+}
+
+void render(const std::string &file) {
+    // Opened first: nobody waits for a picture that cannot be written.
+    OIIO::ImageBuf image(OIIO::ImageSpec(size, size, 3, OIIO::TypeFloat));
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(file);
+    if (!output) throw std::runtime_error("cannot write " + file + ": " + OIIO::geterror());
+    if (!output->open(file, OIIO::ImageSpec(size, size, 3, OIIO::TypeUInt8)))
+        throw std::runtime_error("cannot write " + file + ": " + output->geterror());
+
+    const pellicle::Bsdf bsdf = pellicle::BsdfBuilder("metallic_roughness")
+                                    .set("base_color", {0.72f, 0.2f, 0.07f})
+                                    .vary("roughness", 0, 1)
+                                    .vary("metallic", 0, 1)
+                                    .create();
+
+    // Threads share the BSDF. get() passes on what a thread threw.
+    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    std::vector<std::future<void>> parts;
+    for (int part = 0; part < threads; ++part) {
+        parts.push_back(std::async(std::launch::async, [&, part] {
+            for (int y = part; y < size; y += threads) {
+                std::mt19937 random(static_cast<std::uint32_t>(y)); // the same picture with any number of threads
+                for (int x = 0; x < size; ++x) {
+                    const C3f color = pixel(bsdf, x, y, random);
+                    image.setpixel(x, y, color.getValue());
+                }
+            }
+        }));
+    }
+    for (std::future<void> &part : parts) part.get();
+
+    if (!OIIO::ImageBufAlgo::colorconvert(image, image, "linear", "sRGB") || !image.write(output.get()))
+        throw std::runtime_error("cannot write " + file + ": " + image.geterror());
+    if (!output->close()) throw std::runtime_error("cannot write " + file + ": " + output->geterror());
+}
+
+int main(int argc, char **argv) {
+    try {
+        if (argc > 2) throw std::runtime_error("usage: spheres [picture]");
+        render(argc == 2 ? argv[1] : "spheres.png");
+    } catch (const pellicle::Error &error) {
+        std::cerr << pellicle_status_string(error.status()) << ": " << error.what() << '\n';
+        return 1;
+    } catch (const std::exception &error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+}
