@@ -232,6 +232,27 @@ fn every_value_is_finite() {
     }
 }
 
+/// Between like media a film of no thickness is nothing, along the surface too, where every film mirrors.
+#[test]
+fn nothing_between_like_media_reflects_nothing() {
+    let glass = constant(1.8216633, 0.0);
+    let between = FilmDescription {
+        ambient: constant(1.2629267, 0.0),
+        ..bare(constant(1.2629267, 0.0)).layer(glass, [0.0, 3000.0])
+    };
+    let absorbing = bare(constant(1.0, 0.0)).layer(constant(2.2242265, 0.6072897), [0.0, 248.6]);
+    for description in [between, absorbing, soap()] {
+        let film = Film::new(&description).unwrap();
+        for c in [0.0, 1e-6, 1e-3, 0.1, 1.0] {
+            for (thickness, expected) in [(0.0, 0.0), (100.0, film.reference(c, 100.0)[1])] {
+                let found = f64::from(film.reflectance(c as f32, thickness)[1]);
+                let error = (found - expected).abs();
+                assert!(error <= film.plan().tolerance, "{c} {thickness}: {found}");
+            }
+        }
+    }
+}
+
 /// A film that thins out becomes the bare base: no fading, no switch, no jump at the last nanometre.
 #[test]
 fn a_vanishing_film_is_the_bare_base() {

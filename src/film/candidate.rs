@@ -57,8 +57,9 @@ impl Candidate {
         }]
     }
 
-    /// What a call costs, ns: medians of `cargo bench --bench film` on one core of a 2024 server,
-    /// rounded. They only have to put the methods in order, and being constants they do so everywhere.
+    /// What a call costs, ns: about the medians of `./x chart` on one core of a 2024 server
+    /// (docs/chart.csv). They only have to put the methods in order, and being constants they do so
+    /// everywhere.
     fn cost_ns(self) -> f64 {
         match self {
             Self::Schlick => 6.0,

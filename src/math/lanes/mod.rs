@@ -1,4 +1,4 @@
-//! The SIMD types; nothing outside this folder names one.
+//! The SIMD types. Of them only [`Doubles`] is named outside this folder.
 
 mod dispatch;
 mod doubles;
