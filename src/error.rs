@@ -50,6 +50,17 @@ impl Error {
         Self::new(Status::Unsupported, message)
     }
 
+    /// An empty vector with room for so many, or "no memory for `what` of `bytes` bytes".
+    pub(crate) fn reserve<T>(count: usize, what: &str) -> Result<Vec<T>, Self> {
+        let mut vector = Vec::new();
+        vector.try_reserve_exact(count).map_err(|_| {
+            let bytes = count.saturating_mul(size_of::<T>());
+            let message = format!("no memory for {what} of {bytes} bytes");
+            Self::new(Status::OutOfMemory, message)
+        })?;
+        Ok(vector)
+    }
+
     /// "unknown `kind` 'name'; known: a, b, c"
     pub(crate) fn unknown<'a>(
         kind: &str,

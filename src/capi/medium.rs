@@ -2,7 +2,7 @@
 
 use super::boundary::{slice, string};
 use super::types::PellicleMedium;
-use crate::error::{Error, Status};
+use crate::error::Error;
 use crate::optics::Medium;
 use libc::c_char;
 
@@ -77,13 +77,7 @@ unsafe fn doubles(
 ) -> Result<Vec<f64>, Error> {
     // SAFETY: the caller vouches for `count` numbers.
     let given = unsafe { slice(pointer, count, name)? };
-    let mut copy = Vec::new();
-    copy.try_reserve_exact(count).map_err(|_| {
-        Error::new(
-            Status::OutOfMemory,
-            format!("no memory for {name} of {count} numbers"),
-        )
-    })?;
+    let mut copy = Error::reserve(count, name)?;
     copy.extend(given.iter().copied().map(f64::from));
     Ok(copy)
 }

@@ -1,7 +1,7 @@
 //! Compiled tables: a quadratic spline in one or two coordinates.
 
 use super::axes::Axes;
-use crate::error::{Error, Status};
+use crate::error::Error;
 use crate::math::spline::{controls, weights};
 use crate::math::{Element, Rgb};
 
@@ -134,14 +134,7 @@ fn packed(rgb: Rgb<f64>) -> Control {
     [r, g, b, b]
 }
 
+/// [`Error::reserve`]
 pub(super) fn reserve<T>(count: usize) -> Result<Vec<T>, Error> {
-    let mut vector = Vec::new();
-    vector.try_reserve_exact(count).map_err(|_| {
-        let bytes = count * size_of::<T>();
-        Error::new(
-            Status::OutOfMemory,
-            format!("no memory for a film's table of {bytes} bytes"),
-        )
-    })?;
-    Ok(vector)
+    Error::reserve(count, "a film's table")
 }

@@ -10,13 +10,13 @@
 //! **Limits**: it returns more than it receives if the reflectance is near 1 and the roughness above
 //! 0.4: for reflectance 1 and roughness 1 by 3.6 % at normal incidence and 56 % at grazing angles.
 
-use super::info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::cosine_lobe::{CosineLobe, Diffuse};
+use super::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
 use super::mixture::Mixture;
 use super::precision::Precision;
-use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
+use super::scattering::{Compiled, Model};
 use super::values::Values;
-use crate::error::Error;
-use crate::math::{Element, PI, Real, Rgb, Vec3, warp};
+use crate::math::{Element, PI, Real, Rgb, Vec3};
 
 /// The model; see the module's documentation.
 pub struct DisneyDiffuse;
@@ -30,51 +30,22 @@ impl Model for DisneyDiffuse {
         summary: c"Diffuse reflection fitted to measured materials: darker or brighter at grazing angles.",
         source: c"Burley 2012, Physically-Based Shading at Disney, section 5.3",
         params: &[
-            ParamInfo {
-                name: c"reflectance",
-                unit: c"",
-                summary: c"Fraction of light reflected, RGB, apart from grazing angles.",
-                kind: ParamKind::Number {
-                    components: 3,
-                    min: 0.0,
-                    max: 1.0,
-                    default: 0.5,
-                },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"roughness",
-                unit: c"",
-                summary: c"0 darkens grazing angles, 1 brightens them.",
-                kind: ParamKind::Number {
-                    components: 1,
-                    min: 0.0,
-                    max: 1.0,
-                    default: 0.5,
-                },
-                can_vary: true,
-            },
+            ParamInfo::rgb(c"reflectance", c"Fraction of light reflected, RGB, apart from grazing angles.", [0.0, 1.0], 0.5),
+            ParamInfo::number(c"roughness", c"0 darkens grazing angles, 1 brightens them.", [0.0, 1.0], 0.5),
         ],
-        lobes: &[LobeInfo {
-            name: c"diffuse",
-            flags: Flags::REFLECTION.with(Flags::DIFFUSE),
-        }],
-        film_thickness: None,
-        film_choice: None,
-        not_reciprocal: None,
+        lobes: &[LobeInfo::DIFFUSE],
         not_conserving: Some(Exception {
             cases: &[&[]],
             reason: c"a reflectance near 1 with roughness above 0.4: up to 56 % too much at grazing angles",
         }),
+        ..ModelInfo::PLAIN
     };
 
-    type Prepared<T: Precision> = Mixture<Prepared<T>>;
-
-    fn prepare<T: Precision>(values: &Values<T>) -> Result<Mixture<Prepared<T>>, Error> {
-        Ok(Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        Ok(Box::new(Mixture(CosineLobe(Prepared {
             reflectance: values.rgb(REFLECTANCE),
             roughness: values.number(ROUGHNESS),
-        }))
+        }))))
     }
 }
 
@@ -102,7 +73,7 @@ pub(super) fn greatest_albedo<T: Real>(roughness: T) -> T {
     T::new(1.0) + T::new(1.3) * above.squared() / (above + T::new(0.2))
 }
 
-impl<T: Element> Scattering<T> for Prepared<T> {
+impl<T: Element> Diffuse<T> for Prepared<T> {
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [T; 3]) {
         match param {
@@ -112,27 +83,8 @@ impl<T: Element> Scattering<T> for Prepared<T> {
     }
 
     #[inline(always)]
-    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+    fn value(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
         let value = value(self.roughness, wo, wi);
         self.reflectance.map(|reflectance| reflectance * value)
-    }
-
-    #[inline(always)]
-    fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
-        let mut densities = [T::new(0.0); MAX_LOBES];
-        densities[0] = warp::cosine_hemisphere_pdf(wi.z);
-        (self.eval(wo, wi), densities)
-    }
-
-    #[inline(always)]
-    fn selection(&self, _wo: Vec3<T>) -> PerLobe<T> {
-        let mut selection = [T::new(0.0); MAX_LOBES];
-        selection[0] = T::new(1.0);
-        selection
-    }
-
-    #[inline(always)]
-    fn sample(&self, _lobe: usize, _wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
-        warp::cosine_hemisphere(u[0], u[1])
     }
 }

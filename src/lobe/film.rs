@@ -29,13 +29,12 @@
 //! Films are evaluated in single precision; the instance in double precision has only its directions
 //! better.
 
-use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
 use super::kernel::{Direction, Kernel, Override, choose};
 use super::power_lobe::mean;
 use super::precision::Precision;
-use super::scattering::{MAX_LOBES, Model, PerLobe, normalized};
+use super::scattering::{Compiled, MAX_LOBES, Model, PerLobe, normalized};
 use super::values::Values;
-use crate::error::Error;
 use crate::film::{Film, MAX_THICKNESS_NM};
 use crate::math::{Real, Rgb, Vec3};
 use crate::optics::Interface;
@@ -58,18 +57,7 @@ impl Model for ThinFilm {
         name: c"film",
         summary: c"Needs a film: a smooth surface coated with it, which reflects and, if the film keeps its transmittance and its base is transparent, transmits.",
         source: c"Abeles 1950 and Macleod, Thin-Film Optical Filters, chapter 2; directions by Snell's law",
-        params: &[ParamInfo {
-            name: c"thickness_nm",
-            unit: c"nm",
-            summary: c"Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.",
-            kind: ParamKind::Number {
-                components: 1,
-                min: 0.0,
-                max: MAX_THICKNESS_NM as f32,
-                default: 0.0,
-            },
-            can_vary: true,
-        }],
+        params: &[ParamInfo::number(c"thickness_nm", c"Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit(c"nm")],
         lobes: &[
             LobeInfo {
                 name: c"reflection",
@@ -81,25 +69,21 @@ impl Model for ThinFilm {
             },
         ],
         film_thickness: Some(THICKNESS_NM),
-        film_choice: None,
-        not_reciprocal: None,
-        not_conserving: None,
+        ..ModelInfo::PLAIN
     };
-
-    type Prepared<T: Precision> = Prepared<T>;
 
     fn lobes(values: &Values<f32>) -> &'static [LobeInfo] {
         let transmits = values.film().is_some_and(|film| transmits(film));
         &Self::INFO.lobes[..if transmits { 2 } else { 1 }]
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Result<Prepared<T>, Error> {
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
         let film = values.film().expect("validation refuses a lack of it");
-        Ok(Prepared {
+        Ok(Box::new(Prepared {
             film: Arc::clone(film),
             thickness_nm: values.number(THICKNESS_NM),
             passage: transmits(film).then(|| Passage::through(film)),
-        })
+        }))
     }
 }
 

@@ -63,6 +63,19 @@ pub struct ModelInfo {
 }
 
 impl ModelInfo {
+    /// No lobes, no film, and every law obeyed: what a model does not say.
+    pub const PLAIN: Self = Self {
+        name: c"",
+        summary: c"",
+        source: c"",
+        params: &[],
+        lobes: &[],
+        film_thickness: None,
+        film_choice: None,
+        not_reciprocal: None,
+        not_conserving: None,
+    };
+
     /// The flags of all lobes together.
     pub fn flags(&self) -> Flags {
         Flags::of(self.lobes)
@@ -111,6 +124,14 @@ pub struct LobeInfo {
     pub flags: Flags,
 }
 
+impl LobeInfo {
+    /// A broad lobe that reflects.
+    pub const DIFFUSE: Self = Self {
+        name: c"diffuse",
+        flags: Flags::REFLECTION.with(Flags::DIFFUSE),
+    };
+}
+
 /// A parameter.
 #[derive(Debug)]
 pub struct ParamInfo {
@@ -127,6 +148,77 @@ pub struct ParamInfo {
 }
 
 impl ParamInfo {
+    const fn new(name: &'static CStr, summary: &'static CStr, kind: ParamKind) -> Self {
+        let unit = c"";
+        let can_vary = !matches!(kind, ParamKind::Choice { .. });
+        Self {
+            name,
+            unit,
+            summary,
+            kind,
+            can_vary,
+        }
+    }
+
+    /// A number that may vary.
+    pub const fn number(
+        name: &'static CStr,
+        summary: &'static CStr,
+        [min, max]: [f32; 2],
+        default: f32,
+    ) -> Self {
+        let kind = ParamKind::Number {
+            components: 1,
+            min,
+            max,
+            default,
+        };
+        Self::new(name, summary, kind)
+    }
+
+    /// A number per colour channel that may vary.
+    pub const fn rgb(
+        name: &'static CStr,
+        summary: &'static CStr,
+        [min, max]: [f32; 2],
+        default: f32,
+    ) -> Self {
+        let kind = ParamKind::Number {
+            components: 3,
+            min,
+            max,
+            default,
+        };
+        Self::new(name, summary, kind)
+    }
+
+    /// A direction that may vary, whose z is at least `min_z` after normalisation.
+    pub const fn direction(name: &'static CStr, summary: &'static CStr, min_z: f32) -> Self {
+        Self::new(name, summary, ParamKind::Direction { min_z })
+    }
+
+    /// A choice, which may not.
+    pub const fn choice(
+        name: &'static CStr,
+        summary: &'static CStr,
+        choices: &'static [&'static CStr],
+    ) -> Self {
+        Self::new(name, summary, ParamKind::Choice { choices })
+    }
+
+    /// With a unit.
+    pub const fn in_unit(self, unit: &'static CStr) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// May not be given per call.
+    pub const fn fixed(self) -> Self {
+        Self {
+            can_vary: false,
+            ..self
+        }
+    }
+
     /// Its name.
     pub fn name(&self) -> &'static str {
         self.name.to_str().unwrap_or_default()

@@ -6,9 +6,22 @@ use super::quadrature::mixture;
 use super::scattering::{PerLobe, Scattering};
 use crate::math::{Rgb, Vec3};
 
-/// The kernel of a [`Scattering`] model that owns all it needs. One that borrows tables builds itself
-/// for each call and calls the functions below.
+/// The kernel of a [`Scattering`] model that owns all it needs.
 pub struct Mixture<S>(pub S);
+
+/// The kernel of a model with tables: what is evaluated is made for each call and borrows them.
+pub(super) struct PerCall<M>(pub M);
+
+/// A compiled model with tables.
+pub(super) trait Surfaces<T: Precision>: Send + Sync {
+    /// What is evaluated.
+    type Surface<'a>: Scattering<T>
+    where
+        Self: 'a;
+
+    /// With the parameters of one call.
+    fn surface(&self, overrides: &[Override<T>]) -> Self::Surface<'_>;
+}
 
 /// Calls `$body` with `$scattering` being `$self` under `$overrides`. Nothing is copied when
 /// nothing varies.
@@ -59,9 +72,36 @@ impl<T: Precision, S: Scattering<T> + 'static> Kernel<T> for Mixture<S> {
     }
 }
 
+impl<T: Precision, M: Surfaces<T> + 'static> Kernel<T> for PerCall<M> {
+    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        self.0.surface(overrides).eval(wo, wi)
+    }
+
+    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
+        eval_pdf(&self.0.surface(overrides), wo, wi)
+    }
+
+    fn lobes(
+        &self,
+        overrides: &[Override<T>],
+        wo: Vec3<T>,
+        wi: Vec3<T>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        lobes(&self.0.surface(overrides), wo, wi)
+    }
+
+    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
+        sample(&self.0.surface(overrides), wo, u)
+    }
+
+    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
+        self.0.surface(overrides).albedo(wo)
+    }
+}
+
 /// Value, and the density of all lobes together.
 #[inline(always)]
-pub(super) fn eval_pdf<T: Precision, S: Scattering<T>>(
+fn eval_pdf<T: Precision, S: Scattering<T>>(
     scattering: &S,
     wo: Vec3<T>,
     wi: Vec3<T>,
@@ -72,7 +112,7 @@ pub(super) fn eval_pdf<T: Precision, S: Scattering<T>>(
 
 /// Probability and density of each lobe.
 #[inline(always)]
-pub(super) fn lobes<T: Precision, S: Scattering<T>>(
+fn lobes<T: Precision, S: Scattering<T>>(
     scattering: &S,
     wo: Vec3<T>,
     wi: Vec3<T>,
@@ -85,7 +125,7 @@ pub(super) fn lobes<T: Precision, S: Scattering<T>>(
 
 /// A direction of a lobe chosen by the first number.
 #[inline(always)]
-pub(super) fn sample<T: Precision, S: Scattering<T>>(
+fn sample<T: Precision, S: Scattering<T>>(
     scattering: &S,
     wo: Vec3<T>,
     u: [T; 3],

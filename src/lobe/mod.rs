@@ -1,9 +1,11 @@
 //! The scattering models, one file (or folder) each, and the registry that lists them.
 //!
-//! To add a model, write its file, implement [`Model`] and [`Scattering`] in it (or [`Kernel`], if a
-//! lobe has no density), and add its line to `registry.rs`. Everything else (creation, validation, the C interface, the laws that every
-//! model is tested against, the table in the README) follows from the registry.
+//! To add a model, write its file, implement [`Model`] and [`Scattering`] in it ([`Diffuse`], if it is one
+//! diffuse lobe; [`Kernel`], if a lobe has no density), and add its line to `registry.rs`. Everything else
+//! (creation, validation, the C interface, the laws that every model is tested against, the table in the
+//! README) follows from the registry.
 
+mod cosine_lobe;
 mod disney_diffuse;
 mod film;
 mod info;
@@ -22,10 +24,11 @@ mod registry;
 mod scattering;
 mod values;
 
+pub use cosine_lobe::{CosineLobe, Diffuse};
 pub use info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
 pub use kernel::{Direction, Kernel, Override};
 pub use mixture::Mixture;
 pub use precision::Precision;
 pub use registry::{Entry, find, models};
-pub use scattering::{MAX_LOBES, Model, PerLobe, Scattering};
+pub use scattering::{Compiled, MAX_LOBES, Model, PerLobe, Scattering};
 pub use values::{Bounds, Values};

@@ -34,13 +34,13 @@
 //! below 0.33; with a reflectance of 0.95 neither does. From sigma = 0.67 the full form falls below
 //! 0 where light and viewer graze the surface from opposite sides; it is held at 0 there.
 
-use super::info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::cosine_lobe::{CosineLobe, Diffuse};
+use super::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
 use super::mixture::Mixture;
 use super::precision::Precision;
-use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
+use super::scattering::{Compiled, Model};
 use super::values::Values;
-use crate::error::Error;
-use crate::math::{Element, PI, Real, Rgb, Vec3, angle_turns, warp};
+use crate::math::{Element, PI, Real, Rgb, Vec3, angle_turns};
 
 /// The model; see the module's documentation.
 pub struct OrenNayar;
@@ -57,61 +57,24 @@ impl Model for OrenNayar {
         summary: c"Diffuse reflection by a rough surface, flatter than Lambert's and brighter towards the light.",
         source: c"Oren and Nayar 1994, Generalization of Lambert's Reflectance Model, section 4",
         params: &[
-            ParamInfo {
-                name: c"reflectance",
-                unit: c"",
-                summary: c"Fraction of light reflected by a facet, RGB.",
-                kind: ParamKind::Number {
-                    components: 3,
-                    min: 0.0,
-                    max: 1.0,
-                    default: 0.5,
-                },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"sigma",
-                unit: c"radians",
-                summary: c"Standard deviation of the facets' slope angle; 0 is lambert.",
-                kind: ParamKind::Number {
-                    components: 1,
-                    min: 0.0,
-                    max: std::f32::consts::FRAC_PI_2,
-                    default: 0.35,
-                },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"form",
-                unit: c"",
-                summary: c"The full fit with light between facets, or the paper's short one without.",
-                kind: ParamKind::Choice {
-                    choices: &[c"full", c"qualitative"],
-                },
-                can_vary: false,
-            },
+            ParamInfo::rgb(c"reflectance", c"Fraction of light reflected by a facet, RGB.", [0.0, 1.0], 0.5),
+            ParamInfo::number(c"sigma", c"Standard deviation of the facets' slope angle; 0 is lambert.", [0.0, std::f32::consts::FRAC_PI_2], 0.35).in_unit(c"radians"),
+            ParamInfo::choice(c"form", c"The full fit with light between facets, or the paper's short one without.", &[c"full", c"qualitative"]),
         ],
-        lobes: &[LobeInfo {
-            name: c"diffuse",
-            flags: Flags::REFLECTION.with(Flags::DIFFUSE),
-        }],
-        film_thickness: None,
-        film_choice: None,
-        not_reciprocal: None,
+        lobes: &[LobeInfo::DIFFUSE],
         not_conserving: Some(Exception {
             cases: &[&[]],
             reason: c"a reflectance near 1 with sigma below 0.63 (full) or 0.33 (qualitative): up to 5.1 % or 1.6 % too much at grazing angles",
         }),
+        ..ModelInfo::PLAIN
     };
 
-    type Prepared<T: Precision> = Mixture<Prepared<T>>;
-
-    fn prepare<T: Precision>(values: &Values<T>) -> Result<Mixture<Prepared<T>>, Error> {
-        Ok(Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        Ok(Box::new(Mixture(CosineLobe(Prepared {
             reflectance: values.rgb(REFLECTANCE),
             facets: Facets::new(values.number(SIGMA)),
             is_qualitative: values.choice(FORM) == QUALITATIVE,
-        }))
+        }))))
     }
 }
 
@@ -196,7 +159,7 @@ impl<T: Element> Facets<T> {
     }
 }
 
-impl<T: Element> Scattering<T> for Prepared<T> {
+impl<T: Element> Diffuse<T> for Prepared<T> {
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [T; 3]) {
         match param {
@@ -206,30 +169,11 @@ impl<T: Element> Scattering<T> for Prepared<T> {
     }
 
     #[inline(always)]
-    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+    fn value(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
         if self.is_qualitative {
             self.facets.qualitative(self.reflectance, wo, wi)
         } else {
             T::channels(self.facets.full(T::rgb(self.reflectance), wo, wi))
         }
-    }
-
-    #[inline(always)]
-    fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
-        let mut densities = [T::new(0.0); MAX_LOBES];
-        densities[0] = warp::cosine_hemisphere_pdf(wi.z);
-        (self.eval(wo, wi), densities)
-    }
-
-    #[inline(always)]
-    fn selection(&self, _wo: Vec3<T>) -> PerLobe<T> {
-        let mut selection = [T::new(0.0); MAX_LOBES];
-        selection[0] = T::new(1.0);
-        selection
-    }
-
-    #[inline(always)]
-    fn sample(&self, _lobe: usize, _wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
-        warp::cosine_hemisphere(u[0], u[1])
     }
 }

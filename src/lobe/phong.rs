@@ -16,13 +16,13 @@
 //! directional albedo (`Bsdf::albedo`, `pellicle_bsdf_albedo`, for preparation as it integrates). A
 //! renderer that computes light between surfaces has that light already and leaves the term out.
 
-use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
 use super::mixture::Mixture;
 use super::power_lobe::{
     conserving_normalization, estimated_integral, mean, power_of_cosine, sample_about,
 };
 use super::precision::Precision;
-use super::scattering::{MAX_LOBES, Model, PerLobe, Scattering};
+use super::scattering::{Compiled, MAX_LOBES, Model, PerLobe, Scattering};
 use super::values::{Bounds, Values};
 use crate::error::Error;
 use crate::math::{Element, PI, Real, Rgb, Vec3, warp};
@@ -43,60 +43,34 @@ impl Model for Phong {
         summary: c"A diffuse part and a normalised highlight about the mirror direction.",
         source: c"Phong 1975, normalised by Lafortune and Willems 1994, eq. 5 and 6",
         params: &[
-            ParamInfo {
-                name: c"diffuse",
-                unit: c"",
-                summary: c"Albedo of the diffuse part, RGB; diffuse + specular <= 1.",
-                kind: ParamKind::Number {
-                    components: 3,
-                    min: 0.0,
-                    max: 1.0,
-                    default: 0.5,
-                },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"specular",
-                unit: c"",
-                summary: c"Albedo of the highlight at normal incidence, RGB.",
-                kind: ParamKind::Number {
-                    components: 3,
-                    min: 0.0,
-                    max: 1.0,
-                    default: 0.25,
-                },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"exponent",
-                unit: c"",
-                summary: c"Sharpness of the highlight.",
-                kind: ParamKind::Number {
-                    components: 1,
-                    min: 0.0,
-                    max: 1e5,
-                    default: 50.0,
-                },
-                can_vary: true,
-            },
+            ParamInfo::rgb(
+                c"diffuse",
+                c"Albedo of the diffuse part, RGB; diffuse + specular <= 1.",
+                [0.0, 1.0],
+                0.5,
+            ),
+            ParamInfo::rgb(
+                c"specular",
+                c"Albedo of the highlight at normal incidence, RGB.",
+                [0.0, 1.0],
+                0.25,
+            ),
+            ParamInfo::number(
+                c"exponent",
+                c"Sharpness of the highlight.",
+                [0.0, 1e5],
+                50.0,
+            ),
         ],
         lobes: &[
-            LobeInfo {
-                name: c"diffuse",
-                flags: Flags::REFLECTION.with(Flags::DIFFUSE),
-            },
+            LobeInfo::DIFFUSE,
             LobeInfo {
                 name: c"specular",
                 flags: Flags::REFLECTION.with(Flags::GLOSSY),
             },
         ],
-        film_thickness: None,
-        film_choice: None,
-        not_reciprocal: None,
-        not_conserving: None,
+        ..ModelInfo::PLAIN
     };
-
-    type Prepared<T: Precision> = Mixture<Prepared<T>>;
 
     fn check(bounds: &Bounds) -> Result<(), Error> {
         let upper = &bounds.greatest;
@@ -113,12 +87,12 @@ impl Model for Phong {
         Ok(())
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Result<Mixture<Prepared<T>>, Error> {
-        Ok(Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        Ok(Box::new(Mixture(Prepared {
             diffuse: values.rgb(DIFFUSE),
             specular: values.rgb(SPECULAR),
             exponent: values.number(EXPONENT),
-        }))
+        })))
     }
 }
 

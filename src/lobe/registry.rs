@@ -3,14 +3,13 @@
 use super::disney_diffuse::DisneyDiffuse;
 use super::film::ThinFilm;
 use super::info::{LobeInfo, ModelInfo};
-use super::kernel::Kernel;
 use super::lambert::Lambert;
 use super::layered::Layered;
 use super::metallic_roughness::MetallicRoughness;
 use super::microfacet::Microfacet;
 use super::oren_nayar::OrenNayar;
 use super::phong::Phong;
-use super::scattering::Model;
+use super::scattering::{Compiled, Model};
 use super::values::{Bounds, Values};
 use crate::error::Error;
 
@@ -36,9 +35,6 @@ pub fn find(name: &str) -> Result<&'static Entry, Error> {
     found.ok_or_else(|| Error::unknown("model", name, MODELS.iter().map(Entry::name)))
 }
 
-/// What compiling a model gives.
-type Compiled<T> = Result<Box<dyn Kernel<T>>, Error>;
-
 /// A registered model: its description and its compiler in either precision.
 pub struct Entry {
     /// What the model says about itself.
@@ -62,8 +58,8 @@ impl Entry {
             needs_film: M::needs_film,
             lobes: M::lobes,
             check: M::check,
-            prepare_f32: |values| Ok(Box::new(M::prepare(values)?)),
-            prepare_f64: |values| Ok(Box::new(M::prepare(values)?)),
+            prepare_f32: M::prepare,
+            prepare_f64: M::prepare,
         }
     }
 

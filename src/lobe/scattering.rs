@@ -14,13 +14,13 @@ pub const MAX_LOBES: usize = 5;
 /// One number per lobe; those beyond the model's own lobes are 0.
 pub type PerLobe<T> = [T; MAX_LOBES];
 
+/// A model behind a pointer, or what kept it from being compiled.
+pub type Compiled<T> = Result<Box<dyn Kernel<T>>, Error>;
+
 /// A model as the registry knows it: its description, and how to compile it.
 pub trait Model: 'static {
     /// Name, parameters, lobes, broken laws.
     const INFO: ModelInfo;
-
-    /// The compiled form: what evaluation needs and nothing else.
-    type Prepared<T: Precision>: Kernel<T> + 'static;
 
     /// Whether the model with these values uses a film; without one it cannot be compiled then.
     fn needs_film(values: &Values<f32>) -> bool {
@@ -38,8 +38,9 @@ pub trait Model: 'static {
         Ok(())
     }
 
-    /// Compiles validated values. Fails only for want of memory for tables.
-    fn prepare<T: Precision>(values: &Values<T>) -> Result<Self::Prepared<T>, Error>;
+    /// Compiles validated values to what evaluation needs and nothing else. Fails only for want of memory
+    /// for tables.
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T>;
 }
 
 /// A compiled model whose lobes all reflect and have a density; [`Mixture`](super::Mixture) makes a

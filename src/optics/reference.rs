@@ -12,7 +12,7 @@
 use super::color::{ChannelWeights, ColorSpace, VISIBLE_NM, White};
 use super::stack::{Incidence, Layer, P, Response, S, Side, Stack};
 use super::{Complex, Medium};
-use crate::error::{Error, Status};
+use crate::error::Error;
 use crate::math::{PI, Rgb};
 
 /// The greatest change of a channel at the last halving of the step.
@@ -85,12 +85,9 @@ impl Reference {
     ) -> Result<Self, Error> {
         ambient.check_ambient()?;
         let weights = ChannelWeights::new(white, space);
-        let (mut kept, mut kept_index) = (Vec::new(), Vec::new());
         let count = STEPS * KEPT_PER_STEP + 1;
-        kept.try_reserve_exact(count).map_err(out_of_memory)?;
-        kept_index
-            .try_reserve_exact(count * (layers.len() + 2))
-            .map_err(out_of_memory)?;
+        let mut kept = Error::reserve(count, "the reference's wavelengths")?;
+        let mut kept_index = Error::reserve(count * (layers.len() + 2), "the reference's indices")?;
         for i in 0..count {
             let wavelength_nm = VISIBLE_NM[0] + i as f64 * STEP_NM / KEPT_PER_STEP as f64;
             kept.push(Kept {
@@ -150,13 +147,6 @@ impl Reference {
         let media = self.layers.len() + 2;
         &self.kept_index[kept * media..(kept + 1) * media]
     }
-}
-
-fn out_of_memory(_: std::collections::TryReserveError) -> Error {
-    Error::new(
-        Status::OutOfMemory,
-        "no memory for the reference's table of indices",
-    )
 }
 
 /// One evaluation under way.

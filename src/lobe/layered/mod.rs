@@ -45,13 +45,13 @@ mod sampling;
 #[cfg(test)]
 mod tests;
 
-use super::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo};
 use super::mixture::Mixture;
 use super::precision::Precision;
-use super::scattering::Model;
+use super::scattering::{Compiled, Model};
 use super::values::{Bounds, Values};
 use crate::error::Error;
-pub use prepared::Prepared;
+use prepared::Prepared;
 
 /// The model; see the module's documentation.
 pub struct Layered;
@@ -88,93 +88,25 @@ impl Model for Layered {
         summary: c"A thin layer on an object: reflection, one traversal, and their interference at three wavelengths.",
         source: c"Granier and Heidrich 2002, A Simple Layered RGB BRDF Model",
         params: &[
-            ParamInfo {
-                name: c"eta",
-                unit: c"",
-                summary: c"Refractive index of the layer at 645, 525 and 445 nm.",
-                kind: ParamKind::Number { components: 3, min: 1.0, max: 4.0, default: 1.5 },
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"ambient_eta",
-                unit: c"",
-                summary: c"Refractive index outside.",
-                kind: ParamKind::Number { components: 1, min: 1.0, max: 4.0, default: 1.0 },
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"exponent_reflection",
-                unit: c"",
-                summary: c"Phong exponent of the upper boundary, e0; 0 reflects to the whole hemisphere.",
-                kind: ParamKind::Number { components: 1, min: 0.0, max: 1e5, default: 50.0 },
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"exponent_transmission",
-                unit: c"",
-                summary: c"Phong exponent of the lower boundary, e1, inside the layer.",
-                kind: ParamKind::Number { components: 1, min: 0.0, max: 1e5, default: 50.0 },
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"thickness_nm",
-                unit: c"nm",
-                summary: c"Thickness of the layer.",
-                kind: ParamKind::Number { components: 1, min: 0.0, max: 1e5, default: 300.0 },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"base_normal",
-                unit: c"",
-                summary: c"Normal of the lower boundary in the shading frame; (0, 0, 1): parallel boundaries.",
-                kind: ParamKind::Direction { min_z: 0.05 },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"base",
-                unit: c"",
-                summary: c"Reflectance of the lower boundary, RGB.",
-                kind: ParamKind::Number { components: 3, min: 0.0, max: 1.0, default: 1.0 },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"specular_weight",
-                unit: c"",
-                summary: c"Weight of the specular part; in energy, specular_weight + diffuse_weight <= 1.",
-                kind: ParamKind::Number { components: 1, min: 0.0, max: 1.0, default: 0.5 },
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"diffuse_weight",
-                unit: c"",
-                summary: c"Weight of the diffuse part.",
-                kind: ParamKind::Number { components: 1, min: 0.0, max: 1.0, default: 0.5 },
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"variant",
-                unit: c"",
-                summary: c"energy: reciprocal, albedo <= 1; paper: the printed formulas.",
-                kind: ParamKind::Choice { choices: &[c"energy", c"paper"] },
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"phase_shift",
-                unit: c"",
-                summary: c"half_wave for a base whose index is below the layer's.",
-                kind: ParamKind::Choice { choices: &[c"none", c"half_wave"] },
-                can_vary: false,
-            },
+            ParamInfo::rgb(c"eta", c"Refractive index of the layer at 645, 525 and 445 nm.", [1.0, 4.0], 1.5).fixed(),
+            ParamInfo::number(c"ambient_eta", c"Refractive index outside.", [1.0, 4.0], 1.0).fixed(),
+            ParamInfo::number(c"exponent_reflection", c"Phong exponent of the upper boundary, e0; 0 reflects to the whole hemisphere.", [0.0, 1e5], 50.0).fixed(),
+            ParamInfo::number(c"exponent_transmission", c"Phong exponent of the lower boundary, e1, inside the layer.", [0.0, 1e5], 50.0).fixed(),
+            ParamInfo::number(c"thickness_nm", c"Thickness of the layer.", [0.0, 1e5], 300.0).in_unit(c"nm"),
+            ParamInfo::direction(c"base_normal", c"Normal of the lower boundary in the shading frame; (0, 0, 1): parallel boundaries.", 0.05),
+            ParamInfo::rgb(c"base", c"Reflectance of the lower boundary, RGB.", [0.0, 1.0], 1.0),
+            ParamInfo::number(c"specular_weight", c"Weight of the specular part; in energy, specular_weight + diffuse_weight <= 1.", [0.0, 1.0], 0.5).fixed(),
+            ParamInfo::number(c"diffuse_weight", c"Weight of the diffuse part.", [0.0, 1.0], 0.5).fixed(),
+            ParamInfo::choice(c"variant", c"energy: reciprocal, albedo <= 1; paper: the printed formulas.", &[c"energy", c"paper"]),
+            ParamInfo::choice(c"phase_shift", c"half_wave for a base whose index is below the layer's.", &[c"none", c"half_wave"]),
         ],
         lobes: &[
             LobeInfo { name: c"mirror", flags: GLOSSY },
             LobeInfo { name: c"refracted red", flags: GLOSSY },
             LobeInfo { name: c"refracted green", flags: GLOSSY },
             LobeInfo { name: c"refracted blue", flags: GLOSSY },
-            LobeInfo { name: c"diffuse", flags: Flags::REFLECTION.with(Flags::DIFFUSE) },
+            LobeInfo::DIFFUSE,
         ],
-        film_thickness: None,
-        film_choice: None,
         not_reciprocal: Some(Exception {
             cases: &[&[PAPER]],
             reason: c"variant = paper: the Fresnel factor takes the light's cosine alone, and the two crossings of the upper boundary take cosines in different media",
@@ -183,9 +115,8 @@ impl Model for Layered {
             cases: &[&[PAPER]],
             reason: c"variant = paper: the lobes are not normalised, and the diffuse part reaches 2 / pi",
         }),
+        ..ModelInfo::PLAIN
     };
-
-    type Prepared<T: Precision> = Mixture<Prepared<T>>;
 
     fn check(bounds: &Bounds) -> Result<(), Error> {
         let upper = &bounds.greatest;
@@ -201,7 +132,7 @@ impl Model for Layered {
         Ok(())
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Result<Mixture<Prepared<T>>, Error> {
-        Ok(Mixture(Prepared::new(values)))
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        Ok(Box::new(Mixture(Prepared::new(values))))
     }
 }

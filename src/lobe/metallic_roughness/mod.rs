@@ -33,12 +33,12 @@
 
 mod surface;
 
-use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
+use super::mixture::PerCall;
 use super::precision::Precision;
-use super::scattering::Model;
+use super::scattering::{Compiled, Model};
 use super::values::Values;
-use crate::error::Error;
-pub use surface::Prepared;
+use surface::Prepared;
 
 /// The model; see the module's documentation.
 pub struct MetallicRoughness;
@@ -68,106 +68,26 @@ impl Model for MetallicRoughness {
         summary: c"Base colour, metallic and roughness: a GGX highlight over a diffuse part that gets what it leaves.",
         source: c"Burley 2012; Walter et al. 2007; Heitz 2014; Kelemen and Szirmay-Kalos 2001, section 2.2",
         params: &[
-            ParamInfo {
-                name: c"base_color",
-                unit: c"",
-                summary: c"Reflectance of a dielectric's diffuse part, F0 of a metal, RGB.",
-                kind: ParamKind::Number {
-                    components: 3,
-                    min: 0.0,
-                    max: 1.0,
-                    default: 0.5,
-                },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"metallic",
-                unit: c"",
-                summary: c"0 a dielectric, 1 a metal.",
-                kind: unit(0.0),
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"roughness",
-                unit: c"",
-                summary: c"Of the highlight: its square is alpha, at least 1e-4.",
-                kind: unit(0.5),
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"specular",
-                unit: c"",
-                summary: c"Whether eta or f0 gives the dielectric's reflectance.",
-                kind: ParamKind::Choice {
-                    choices: &[c"index", c"f0"],
-                },
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"eta",
-                unit: c"",
-                summary: c"Refractive index of the dielectric (specular index).",
-                kind: ParamKind::Number {
-                    components: 1,
-                    min: 1.0,
-                    max: 3.0,
-                    default: 1.5,
-                },
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"f0",
-                unit: c"",
-                summary: c"Reflectance of the dielectric at normal incidence (specular f0).",
-                kind: unit(0.04),
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"diffuse",
-                unit: c"",
-                summary: c"Form of the diffuse part.",
-                kind: ParamKind::Choice {
-                    choices: &[c"lambert", c"oren_nayar", c"disney"],
-                },
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"diffuse_roughness",
-                unit: c"",
-                summary: c"Of the diffuse part: oren_nayar's sigma in radians, or disney's roughness.",
-                kind: unit(0.0),
-                can_vary: true,
-            },
+            ParamInfo::rgb(c"base_color", c"Reflectance of a dielectric's diffuse part, F0 of a metal, RGB.", [0.0, 1.0], 0.5),
+            ParamInfo::number(c"metallic", c"0 a dielectric, 1 a metal.", [0.0, 1.0], 0.0),
+            ParamInfo::number(c"roughness", c"Of the highlight: its square is alpha, at least 1e-4.", [0.0, 1.0], 0.5),
+            ParamInfo::choice(c"specular", c"Whether eta or f0 gives the dielectric's reflectance.", &[c"index", c"f0"]),
+            ParamInfo::number(c"eta", c"Refractive index of the dielectric (specular index).", [1.0, 3.0], 1.5),
+            ParamInfo::number(c"f0", c"Reflectance of the dielectric at normal incidence (specular f0).", [0.0, 1.0], 0.04),
+            ParamInfo::choice(c"diffuse", c"Form of the diffuse part.", &[c"lambert", c"oren_nayar", c"disney"]),
+            ParamInfo::number(c"diffuse_roughness", c"Of the diffuse part: oren_nayar's sigma in radians, or disney's roughness.", [0.0, 1.0], 0.0),
         ],
         lobes: &[
-            LobeInfo {
-                name: c"diffuse",
-                flags: Flags::REFLECTION.with(Flags::DIFFUSE),
-            },
+            LobeInfo::DIFFUSE,
             LobeInfo {
                 name: c"specular",
                 flags: Flags::REFLECTION.with(Flags::GLOSSY),
             },
         ],
-        film_thickness: None,
-        film_choice: None,
-        not_reciprocal: None,
-        not_conserving: None,
+        ..ModelInfo::PLAIN
     };
 
-    type Prepared<T: Precision> = Prepared<T>;
-
-    fn prepare<T: Precision>(values: &Values<T>) -> Result<Prepared<T>, Error> {
-        Ok(Prepared::new(values))
-    }
-}
-
-/// A number in [0, 1].
-const fn unit(default: f32) -> ParamKind {
-    ParamKind::Number {
-        components: 1,
-        min: 0.0,
-        max: 1.0,
-        default,
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        Ok(Box::new(PerCall(Prepared::new(values))))
     }
 }

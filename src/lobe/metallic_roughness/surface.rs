@@ -5,12 +5,12 @@ use super::{
     OREN_NAYAR, ROUGHNESS, SPECULAR, SPECULAR_LOBE,
 };
 use crate::lobe::disney_diffuse;
-use crate::lobe::kernel::{Direction, Kernel, Override};
+use crate::lobe::kernel::Override;
 use crate::lobe::microfacet::distribution::Normals;
 use crate::lobe::microfacet::energy::{Albedo, Energy, LEAST_ALPHA, Reflected, Row};
 use crate::lobe::microfacet::ggx::Ggx;
 use crate::lobe::microfacet::masking::{Masking, Pair};
-use crate::lobe::mixture;
+use crate::lobe::mixture::Surfaces;
 use crate::lobe::oren_nayar::Facets;
 use crate::lobe::power_lobe::mean;
 use crate::lobe::precision::Precision;
@@ -27,7 +27,7 @@ const LEAST_REMAINDER: f64 = 1e-3;
 const LEAST_SHARE: f64 = 1e-3;
 
 /// The compiled model.
-pub struct Prepared<T: Element> {
+pub(super) struct Prepared<T: Element> {
     energy: Energy<T>,
     settings: Settings<T>,
 }
@@ -57,7 +57,7 @@ impl<T: Precision> Prepared<T> {
     pub(super) fn new(values: &Values<T>) -> Self {
         let lobe = |alpha, wo, u| {
             let normals = Ggx::isotropic(alpha);
-            Reflected::by_visible_normals(&normals, Masking::Smith, [alpha; 2], wo, u)
+            Reflected::by_normals(&normals, Masking::Smith, [alpha; 2], wo, u)
         };
         let alpha = alpha_of(values.number(ROUGHNESS));
         let energy = if values.varies(ROUGHNESS) {
@@ -86,8 +86,11 @@ impl<T: Precision> Prepared<T> {
         };
         Self { energy, settings }
     }
+}
 
-    /// With the parameters of one call.
+impl<T: Precision> Surfaces<T> for Prepared<T> {
+    type Surface<'a> = Surface<'a, T>;
+
     #[inline(always)]
     fn surface(&self, overrides: &[Override<T>]) -> Surface<'_, T> {
         let mut surface = Surface {
@@ -106,36 +109,9 @@ fn alpha_of<T: Real>(roughness: T) -> T {
     roughness.squared().max(T::new(LEAST_ALPHA))
 }
 
-impl<T: Precision> Kernel<T> for Prepared<T> {
-    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
-        self.surface(overrides).eval(wo, wi)
-    }
-
-    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
-        mixture::eval_pdf(&self.surface(overrides), wo, wi)
-    }
-
-    fn lobes(
-        &self,
-        overrides: &[Override<T>],
-        wo: Vec3<T>,
-        wi: Vec3<T>,
-    ) -> (PerLobe<T>, PerLobe<T>) {
-        mixture::lobes(&self.surface(overrides), wo, wi)
-    }
-
-    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
-        mixture::sample(&self.surface(overrides), wo, u)
-    }
-
-    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
-        Scattering::albedo(&self.surface(overrides), wo)
-    }
-}
-
 /// A surface for one call.
 #[derive(Clone, Copy)]
-struct Surface<'a, T: Element> {
+pub(super) struct Surface<'a, T: Element> {
     energy: &'a Energy<T>,
     settings: Settings<T>,
 }

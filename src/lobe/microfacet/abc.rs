@@ -2,11 +2,9 @@
 //! and Efficient Rendering of Glossy Surfaces", section on the microfacet model; after Church and
 //! Takacs's spectra of polished surfaces): a tip and a tail of any power.
 
-use super::distribution::Normals;
-use super::projected::Projected;
-use super::quantile::Quantile;
 use super::slopes::{matched_width, sin_squared, slope_density};
-use crate::math::{Element, PI, Vec3};
+use super::tabulated::{Profile, Tabulated, height};
+use crate::math::{Element, Vec3};
 
 /// D(h) = A / (1 + B (1 - h.z))^C.
 ///
@@ -24,23 +22,16 @@ use crate::math::{Element, PI, Vec3};
 /// alpha is in [1e-4, 1], the exponent C in [0.5, 10]. C = 2 is nearly GGX, C = 10 nearly Blinn's; at
 /// C <= 1 most of the area is in the tail, whatever alpha. Löw et al.'s fits to 100 measured materials
 /// have C from 0.02 to 2.7, half of them between 0.9 and 1.5 about a median of 1.2.
-pub(crate) struct Abc<T> {
-    lobe: Lobe<T>,
-    projected: Projected<T>,
-    quantile: Quantile<T>,
-}
+///
+/// The area up to an angle is the difference of two powers of 1 + B (1 - h.z), which has no inverse in
+/// closed form: normals are drawn by table.
+pub(crate) type Abc<T> = Tabulated<T, Lobe<T>>;
 
 impl<T: Element> Abc<T> {
     /// With its tables.
-    pub(crate) fn new(alpha: f64, exponent: f64) -> Self {
-        let at_normal = 1.0 / (PI * alpha * alpha);
-        let b = width(alpha, exponent);
-        let lobe = Lobe::<f64>::new(at_normal, b, exponent);
-        Self {
-            lobe: Lobe::new(at_normal, b, exponent),
-            projected: Projected::new(alpha, |h| lobe.density(h)),
-            quantile: Quantile::new(alpha, |h| lobe.density(h)),
-        }
+    pub(crate) fn of(alpha: f64, exponent: f64) -> Self {
+        let (a, b) = (height(alpha), width(alpha, exponent));
+        Self::new(alpha, Lobe::new(a, b, exponent), &Lobe::new(a, b, exponent))
     }
 }
 
@@ -60,7 +51,7 @@ fn width(alpha: f64, exponent: f64) -> f64 {
 }
 
 /// The function with its three parameters.
-struct Lobe<T> {
+pub(crate) struct Lobe<T> {
     a: T,
     b: T,
     c: T,
@@ -71,7 +62,9 @@ impl<T: Element> Lobe<T> {
         let [a, b, c] = [a, b, c].map(T::new);
         Self { a, b, c }
     }
+}
 
+impl<T: Element> Profile<T> for Lobe<T> {
     /// 1 - h.z is sin^2 / (1 + h.z), which keeps its digits.
     #[inline(always)]
     fn density(&self, h: Vec3<T>) -> T {
@@ -79,30 +72,5 @@ impl<T: Element> Lobe<T> {
         let complement = sin_squared(h) / (one + h.z);
         let density = self.a * (-(self.c * (self.b * complement).ln_1p())).exp();
         T::select(h.z.gt(T::new(0.0)), density, T::new(0.0))
-    }
-}
-
-impl<T: Element> Normals<T> for &Abc<T> {
-    #[inline(always)]
-    fn density(&self, h: Vec3<T>) -> T {
-        self.lobe.density(h)
-    }
-
-    #[inline(always)]
-    fn averted_area(&self, w: Vec3<T>) -> T {
-        self.projected.averted_area(w)
-    }
-
-    /// The area up to an angle is the difference of two powers of 1 + B (1 - h.z), which has no inverse
-    /// in closed form: by table.
-    #[inline(always)]
-    fn sample(&self, _wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
-        self.quantile.sample(u)
-    }
-
-    /// D(h) h.z
-    #[inline(always)]
-    fn sample_density(&self, _wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) * h.z
     }
 }

@@ -4,7 +4,8 @@
 use super::distribution::Normals;
 use super::projected::Projected;
 use super::slopes::ln_cos_squared;
-use crate::math::{Element, PI, Vec3};
+use super::tabulated::height;
+use crate::math::{Element, Vec3};
 
 /// D(h) = (e + 2) / (2 pi) h.z^e with the exponent e = 2 / alpha^2 - 2, so that
 /// D = 1 / (pi alpha^2) at the normal, as for GGX and Beckmann's distribution, and the lobe is theirs
@@ -41,7 +42,7 @@ impl<T: Element> Power<T> {
     fn new(alpha: f64) -> Self {
         let inverse = 1.0 / (alpha * alpha);
         Self {
-            at_normal: T::new(inverse / PI),
+            at_normal: T::new(height(alpha)),
             half_exponent: T::new(inverse - 1.0),
         }
     }

@@ -17,7 +17,7 @@
 
 use super::energy::{Energy, Row};
 use super::fresnel::{Facets, Fresnel};
-use crate::error::{Error, Status};
+use crate::error::Error;
 use crate::film::Film;
 use crate::lobe::precision::Precision;
 use crate::math::{Element, Rgb, Vec3, warp};
@@ -99,7 +99,7 @@ impl<T: Precision> Average<T> {
     /// Fails for want of memory.
     pub fn new(facets: &Facets<T>, is_film_varying: bool) -> Result<Self, Error> {
         Ok(match facets {
-            Facets::Schlick { .. } => Self::Schlick,
+            Facets::Bare(Fresnel::Schlick { .. }) => Self::Schlick,
             Facets::Film { film, .. } if is_film_varying => Self::Film(Thicknesses::new(film)?),
             _ => Self::Constant(mean_reflectance(&facets.fresnel())),
         })
@@ -154,13 +154,7 @@ impl Thicknesses {
         let [from, to] = film.varying_thickness_nm().unwrap_or_default();
         let pieces = ((to - from) / STEP_NM).ceil().clamp(1.0, MOST_NODES - 1.0);
         let count = pieces as usize + 1;
-        let mut nodes = Vec::new();
-        nodes.try_reserve_exact(count).map_err(|_| {
-            Error::new(
-                Status::OutOfMemory,
-                format!("no memory for the mean reflectance at {count} thicknesses"),
-            )
-        })?;
+        let mut nodes = Error::reserve(count, "a film's mean reflectance")?;
         nodes.extend((0..count).map(|i| {
             let thickness_nm = (from + (to - from) * i as f64 / pieces) as f32;
             mean_reflectance::<f32>(&Fresnel::Film { film, thickness_nm })

@@ -76,7 +76,7 @@ pub(crate) struct Reflected<T> {
 }
 
 impl<T: Element> Reflected<T> {
-    /// Of normals drawn in whichever way.
+    /// By the normals that the distribution draws.
     #[inline(always)]
     pub fn by_normals<N: Normals<T>>(
         normals: &N,
@@ -97,32 +97,6 @@ impl<T: Element> Reflected<T> {
             weight: T::select(is_usable, weight, zero),
             cos_half: pair.cos_half,
         }
-    }
-
-    /// Of normals that [`Normals::sample`] draws in proportion to D G1 <wo, h>: D cancels, which
-    /// leaves G / G1.
-    #[inline(always)]
-    pub fn by_visible_normals<N: Normals<T>>(
-        normals: &N,
-        masking: Masking,
-        alpha: [T; 2],
-        wo: Vec3<T>,
-        u: [T; 2],
-    ) -> Self {
-        let h = normals.sample(wo, u);
-        let cos_half = wo.dot(h);
-        let wi = wo.mirrored_about(h);
-        let pair = Pair {
-            wo,
-            wi,
-            h,
-            cos_half,
-        };
-        // The masking's factor is G / (4 wo.z), G1 is wo.z / (wo.z + averted area).
-        let inverse = T::new(4.0) * (wo.z + normals.averted_area(wo));
-        let weight = masking.factor(normals, alpha, &pair) * inverse;
-        let weight = T::select(wi.z.gt(T::new(0.0)), weight, T::new(0.0));
-        Self { weight, cos_half }
     }
 }
 

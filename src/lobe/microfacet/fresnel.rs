@@ -53,15 +53,11 @@ impl<T: Precision> Fresnel<'_, T> {
     }
 }
 
-/// The same, owning the film.
-pub(super) enum Facets<T> {
-    /// [`Fresnel::Schlick`]
-    Schlick { f0: Rgb<T>, f90: Rgb<T> },
-    /// [`Fresnel::Dielectric`]
-    Dielectric { eta: Rgb<T> },
-    /// [`Fresnel::Conductor`]
-    Conductor { eta: Rgb<T>, k: Rgb<T> },
-    /// [`Fresnel::Film`]
+/// What facets consist of, as compiled.
+pub(super) enum Facets<T: Element> {
+    /// Numbers only.
+    Bare(Fresnel<'static, T>),
+    /// [`Fresnel::Film`], owning the film.
     Film { film: Arc<Film>, thickness_nm: f32 },
 }
 
@@ -79,15 +75,7 @@ impl<T: Precision> Facets<T> {
     #[inline(always)]
     pub fn fresnel(&self) -> Fresnel<'_, T> {
         match self {
-            Self::Schlick { f0, f90 } => Fresnel::Schlick {
-                f0: T::rgb(*f0),
-                f90: T::rgb(*f90),
-            },
-            Self::Dielectric { eta } => Fresnel::Dielectric { eta: T::rgb(*eta) },
-            Self::Conductor { eta, k } => Fresnel::Conductor {
-                eta: T::rgb(*eta),
-                k: T::rgb(*k),
-            },
+            Self::Bare(fresnel) => *fresnel,
             Self::Film { film, thickness_nm } => Fresnel::Film {
                 film,
                 thickness_nm: *thickness_nm,

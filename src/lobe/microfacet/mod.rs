@@ -69,21 +69,23 @@ mod quantile;
 mod roughness;
 pub(crate) mod sgd;
 mod slopes;
+mod tabulated;
 
 use self::abc::Abc;
 use self::blinn_phong::BlinnPhong;
 use self::compensation::{Average, Compensation};
-use self::fresnel::Facets;
+use self::fresnel::{Facets, Fresnel};
 use self::masking::Masking;
 use self::roughness::{Normalized, Shape};
 use self::sgd::Sgd;
 use super::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use super::mixture::PerCall;
 use super::precision::Precision;
-use super::scattering::Model;
+use super::scattering::{Compiled, Model};
 use super::values::{Bounds, Values};
 use crate::error::Error;
 use crate::film::MAX_THICKNESS_NM;
-pub use prepared::{Mirror, Prepared, Rough};
+use prepared::{Mirror, Rough};
 use std::ffi::CStr;
 use std::sync::Arc;
 
@@ -125,6 +127,9 @@ const FILM: usize = 3;
 /// A choice of `energy_compensation`.
 const OFF: usize = 0;
 
+/// A choice of `metal`.
+const CUSTOM: usize = 0;
+
 /// The choices of `metal`: after the first the names of media.
 const METALS: &[&CStr] = &[
     c"custom", c"Ag", c"Al", c"Au", c"Cr", c"Cu", c"Fe", c"Ni", c"Pt", c"Ti",
@@ -132,33 +137,6 @@ const METALS: &[&CStr] = &[
 
 /// Least roughness that is not a mirror's.
 const LEAST_ALPHA: f32 = 1e-4;
-
-const fn number(min: f32, max: f32, default: f32) -> ParamKind {
-    numbers(1, min, max, default)
-}
-
-const fn numbers(components: usize, min: f32, max: f32, default: f32) -> ParamKind {
-    ParamKind::Number {
-        components,
-        min,
-        max,
-        default,
-    }
-}
-
-const fn choice(
-    name: &'static CStr,
-    summary: &'static CStr,
-    choices: &'static [&'static CStr],
-) -> ParamInfo {
-    ParamInfo {
-        name,
-        unit: c"",
-        summary,
-        kind: ParamKind::Choice { choices },
-        can_vary: false,
-    }
-}
 
 /// A mirror has the first, a rough surface the second, and the third with energy compensation.
 const LOBES: &[LobeInfo] = &[
@@ -186,12 +164,12 @@ impl Model for Microfacet {
         summary: c"Reflection by many small facets: distribution of normals, masking and Fresnel factor of choice.",
         source: c"Torrance and Sparrow 1967; Cook and Torrance 1982; Walter et al. 2007, eq. 20; Heitz 2014",
         params: &[
-            choice(
+            ParamInfo::choice(
                 c"distribution",
                 c"Distribution of the facets' normals, D.",
                 &[c"ggx", c"beckmann", c"blinn_phong", c"abc", c"sgd"],
             ),
-            choice(
+            ParamInfo::choice(
                 c"masking",
                 c"Masking and shadowing, G; smith is exact for the distribution.",
                 &[
@@ -202,87 +180,27 @@ impl Model for Microfacet {
                     c"implicit",
                 ],
             ),
-            choice(
+            ParamInfo::choice(
                 c"fresnel",
                 c"Fresnel factor, F: schlick takes f0 and f90; dielectric eta; conductor a metal, or eta and k; film a film and thickness_nm.",
                 &[c"schlick", c"dielectric", c"conductor", c"film"],
             ),
-            ParamInfo {
-                name: c"alpha",
-                unit: c"",
-                summary: c"Roughness: 0 is a perfect mirror, else at least 1e-4; the square of a roughness slider, sqrt(2 / (e + 2)) for a Phong exponent e. Varies for ggx and beckmann.",
-                kind: number(0.0, 1.0, 0.3),
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"anisotropy",
-                unit: c"",
-                summary: c"Stretch of the highlight, ggx and beckmann only: alpha over and times sqrt(1 - 0.9 anisotropy) along and across.",
-                kind: number(0.0, 1.0, 0.0),
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"rotation",
-                unit: c"turns",
-                summary: c"Angle from +X to the rougher axis about +Z.",
-                kind: number(0.0, 1.0, 0.0),
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"f0",
-                unit: c"",
-                summary: c"Reflectance at normal incidence, RGB (fresnel schlick).",
-                kind: numbers(3, 0.0, 1.0, 0.04),
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"f90",
-                unit: c"",
-                summary: c"Reflectance at grazing incidence, RGB (fresnel schlick).",
-                kind: numbers(3, 0.0, 1.0, 1.0),
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"eta",
-                unit: c"",
-                summary: c"Refractive index, RGB (fresnel dielectric, at least 1, and conductor).",
-                kind: numbers(3, 0.01, 10.0, 1.5),
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"k",
-                unit: c"",
-                summary: c"Extinction coefficient, RGB (fresnel conductor).",
-                kind: numbers(3, 0.0, 20.0, 0.0),
-                can_vary: false,
-            },
-            choice(
+            ParamInfo::number(c"alpha", c"Roughness: 0 is a perfect mirror, else at least 1e-4; the square of a roughness slider, sqrt(2 / (e + 2)) for a Phong exponent e. Varies for ggx and beckmann.", [0.0, 1.0], 0.3),
+            ParamInfo::number(c"anisotropy", c"Stretch of the highlight, ggx and beckmann only: alpha over and times sqrt(1 - 0.9 anisotropy) along and across.", [0.0, 1.0], 0.0),
+            ParamInfo::number(c"rotation", c"Angle from +X to the rougher axis about +Z.", [0.0, 1.0], 0.0).in_unit(c"turns"),
+            ParamInfo::rgb(c"f0", c"Reflectance at normal incidence, RGB (fresnel schlick).", [0.0, 1.0], 0.04),
+            ParamInfo::rgb(c"f90", c"Reflectance at grazing incidence, RGB (fresnel schlick).", [0.0, 1.0], 1.0).fixed(),
+            ParamInfo::rgb(c"eta", c"Refractive index, RGB (fresnel dielectric, at least 1, and conductor).", [0.01, 10.0], 1.5).fixed(),
+            ParamInfo::rgb(c"k", c"Extinction coefficient, RGB (fresnel conductor).", [0.0, 20.0], 0.0).fixed(),
+            ParamInfo::choice(
                 c"metal",
                 c"Fresnel conductor: custom takes eta and k, a metal its measured spectrum.",
                 METALS,
             ),
-            ParamInfo {
-                name: c"thickness_nm",
-                unit: c"nm",
-                summary: c"Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does (fresnel film).",
-                kind: number(0.0, MAX_THICKNESS_NM as f32, 0.0),
-                can_vary: true,
-            },
-            ParamInfo {
-                name: c"abc_exponent",
-                unit: c"",
-                summary: c"Steepness of the tail, the lecture's second parameter (distribution abc).",
-                kind: number(0.5, 10.0, 1.2),
-                can_vary: false,
-            },
-            ParamInfo {
-                name: c"sgd_p",
-                unit: c"",
-                summary: c"Power of the tail; 0 is beckmann (distribution sgd).",
-                kind: number(0.0, 4.0, 0.44),
-                can_vary: false,
-            },
-            choice(
+            ParamInfo::number(c"thickness_nm", c"Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does (fresnel film).", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit(c"nm"),
+            ParamInfo::number(c"abc_exponent", c"Steepness of the tail, the lecture's second parameter (distribution abc).", [0.5, 10.0], 1.2).fixed(),
+            ParamInfo::number(c"sgd_p", c"Power of the tail; 0 is beckmann (distribution sgd).", [0.0, 4.0], 0.44).fixed(),
+            ParamInfo::choice(
                 c"energy_compensation",
                 c"on: light that masking takes away comes back as if reflected by further facets; not for stretched surfaces.",
                 &[c"off", c"on"],
@@ -294,7 +212,6 @@ impl Model for Microfacet {
             param: FRESNEL,
             choice: FILM,
         }),
-        not_reciprocal: None,
         not_conserving: Some(Exception {
             cases: &[&[
                 Choice {
@@ -308,9 +225,8 @@ impl Model for Microfacet {
             ]],
             reason: c"distribution = abc with masking = schlick: the printed k follows from alpha alone, and the tail's facets are steeper",
         }),
+        ..ModelInfo::PLAIN
     };
-
-    type Prepared<T: Precision> = Prepared<T>;
 
     fn lobes(values: &Values<f32>) -> &'static [LobeInfo] {
         match (is_mirror(values), values.choice(ENERGY_COMPENSATION)) {
@@ -324,11 +240,11 @@ impl Model for Microfacet {
         check(bounds)
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Result<Prepared<T>, Error> {
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
         let facets = facets(values)?;
         let masking = Masking::ALL[values.choice(MASKING)];
         if is_mirror(values) {
-            return Ok(Prepared::Mirror(Mirror { facets, masking }));
+            return Ok(Box::new(Mirror { facets, masking }));
         }
         let shape = Shape::new(
             values.number(ALPHA),
@@ -343,13 +259,13 @@ impl Model for Microfacet {
             let energy = normals.energy(&shape, masking, values.varies(ALPHA));
             Some(Compensation { energy, average })
         };
-        Ok(Prepared::Rough(Rough {
+        Ok(Box::new(PerCall(Rough {
             normals,
             shape,
             facets,
             masking,
             compensation,
-        }))
+        })))
     }
 }
 
@@ -363,30 +279,34 @@ fn normals<T: Precision>(values: &Values<T>) -> Normalized<T> {
         GGX => Normalized::Ggx,
         BECKMANN => Normalized::Beckmann,
         BLINN_PHONG => Normalized::BlinnPhong(Box::new(BlinnPhong::new(of(ALPHA)))),
-        ABC => Normalized::Abc(Box::new(Abc::new(of(ALPHA), of(ABC_EXPONENT)))),
-        _ => Normalized::Sgd(Box::new(Sgd::new(of(ALPHA), of(SGD_P)))),
+        ABC => Normalized::Abc(Box::new(Abc::of(of(ALPHA), of(ABC_EXPONENT)))),
+        _ => Normalized::Sgd(Box::new(Sgd::of(of(ALPHA), of(SGD_P)))),
     }
 }
 
 fn facets<T: Precision>(values: &Values<T>) -> Result<Facets<T>, Error> {
-    Ok(match values.choice(FRESNEL) {
-        SCHLICK => Facets::Schlick {
-            f0: values.rgb(F0),
-            f90: values.rgb(F90),
+    let rgb = |param| T::rgb(values.rgb(param));
+    Ok(Facets::Bare(match values.choice(FRESNEL) {
+        SCHLICK => Fresnel::Schlick {
+            f0: rgb(F0),
+            f90: rgb(F90),
         },
-        DIELECTRIC => Facets::Dielectric {
-            eta: values.rgb(ETA),
+        DIELECTRIC => Fresnel::Dielectric { eta: rgb(ETA) },
+        CONDUCTOR if values.choice(METAL) == CUSTOM => Fresnel::Conductor {
+            eta: rgb(ETA),
+            k: rgb(K),
         },
-        CONDUCTOR if values.choice(METAL) == 0 => Facets::Conductor {
-            eta: values.rgb(ETA),
-            k: values.rgb(K),
-        },
-        CONDUCTOR => Facets::of_metal(METALS[values.choice(METAL)].to_str().unwrap_or_default())?,
-        _ => Facets::Film {
-            film: Arc::clone(values.film().expect("validation refuses a lack of it")),
-            thickness_nm: values.number(THICKNESS_NM).to_f32(),
-        },
-    })
+        CONDUCTOR => {
+            let name = METALS[values.choice(METAL)].to_str().unwrap_or_default();
+            return Facets::of_metal(name);
+        }
+        _ => {
+            return Ok(Facets::Film {
+                film: Arc::clone(values.film().expect("validation refuses a lack of it")),
+                thickness_nm: values.number(THICKNESS_NM).to_f32(),
+            });
+        }
+    }))
 }
 
 /// What is allowed alone but not together.

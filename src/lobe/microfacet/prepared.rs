@@ -1,4 +1,4 @@
-//! The compiled model: a mirror or a rough surface.
+//! What the model is compiled to: a mirror or a rough surface.
 
 use super::compensation::{Compensation, Returned};
 use super::distribution::{Distribution, Normals, with_normals};
@@ -7,59 +7,14 @@ use super::masking::{Masking, Pair, turned};
 use super::roughness::{Normalized, Shape};
 use super::{ALPHA, ANISOTROPY, REFLECTION_LOBE, RETURNED_LOBE, ROTATION};
 use crate::lobe::kernel::{Direction, Kernel, Override};
-use crate::lobe::mixture;
+use crate::lobe::mixture::Surfaces;
 use crate::lobe::power_lobe::mean;
 use crate::lobe::precision::Precision;
 use crate::lobe::scattering::{MAX_LOBES, PerLobe, Scattering, normalized};
-use crate::math::{Rgb, Vec3, warp};
-
-/// The compiled model.
-pub enum Prepared<T> {
-    /// alpha = 0
-    Mirror(Mirror<T>),
-    /// alpha > 0
-    Rough(Rough<T>),
-}
-
-/// Calls a method of whichever kernel it is.
-macro_rules! either {
-    ($self:ident, $kernel:ident => $call:expr) => {
-        match $self {
-            Prepared::Mirror($kernel) => $call,
-            Prepared::Rough($kernel) => $call,
-        }
-    };
-}
-
-impl<T: Precision> Kernel<T> for Prepared<T> {
-    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
-        either!(self, kernel => kernel.eval(overrides, wo, wi))
-    }
-
-    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
-        either!(self, kernel => kernel.eval_pdf(overrides, wo, wi))
-    }
-
-    fn lobes(
-        &self,
-        overrides: &[Override<T>],
-        wo: Vec3<T>,
-        wi: Vec3<T>,
-    ) -> (PerLobe<T>, PerLobe<T>) {
-        either!(self, kernel => kernel.lobes(overrides, wo, wi))
-    }
-
-    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
-        either!(self, kernel => kernel.sample(overrides, wo, u))
-    }
-
-    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
-        either!(self, kernel => kernel.albedo(overrides, wo))
-    }
-}
+use crate::math::{Element, Rgb, Vec3, warp};
 
 /// One facet.
-pub struct Mirror<T> {
+pub(super) struct Mirror<T: Element> {
     pub(super) facets: Facets<T>,
     pub(super) masking: Masking,
 }
@@ -105,7 +60,7 @@ impl<T: Precision> Kernel<T> for Mirror<T> {
 }
 
 /// Many facets.
-pub struct Rough<T> {
+pub(super) struct Rough<T: Element> {
     pub(super) normals: Normalized<T>,
     pub(super) shape: Shape<T>,
     pub(super) facets: Facets<T>,
@@ -113,8 +68,9 @@ pub struct Rough<T> {
     pub(super) compensation: Option<Compensation<T>>,
 }
 
-impl<T: Precision> Rough<T> {
-    /// With the parameters of one call.
+impl<T: Precision> Surfaces<T> for Rough<T> {
+    type Surface<'a> = Surface<'a, T>;
+
     #[inline(always)]
     fn surface(&self, overrides: &[Override<T>]) -> Surface<'_, T> {
         let mut surface = Surface {
@@ -135,36 +91,9 @@ impl<T: Precision> Rough<T> {
     }
 }
 
-impl<T: Precision> Kernel<T> for Rough<T> {
-    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
-        self.surface(overrides).eval(wo, wi)
-    }
-
-    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
-        mixture::eval_pdf(&self.surface(overrides), wo, wi)
-    }
-
-    fn lobes(
-        &self,
-        overrides: &[Override<T>],
-        wo: Vec3<T>,
-        wi: Vec3<T>,
-    ) -> (PerLobe<T>, PerLobe<T>) {
-        mixture::lobes(&self.surface(overrides), wo, wi)
-    }
-
-    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
-        mixture::sample(&self.surface(overrides), wo, u)
-    }
-
-    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
-        Scattering::albedo(&self.surface(overrides), wo)
-    }
-}
-
 /// A rough surface for one call.
 #[derive(Clone, Copy)]
-struct Surface<'a, T: Precision> {
+pub(super) struct Surface<'a, T: Precision> {
     normals: &'a Normalized<T>,
     shape: Shape<T>,
     fresnel: Fresnel<'a, T>,

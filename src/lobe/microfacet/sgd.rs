@@ -2,11 +2,9 @@
 //! measured reflectances using a Shifted Gamma micro-facet distribution", section 4): a tail of power p
 //! that an exponential ends.
 
-use super::distribution::Normals;
-use super::projected::Projected;
-use super::quantile::Quantile;
 use super::slopes::{ln_cos_squared, matched_width, sin_squared, slope_density};
-use crate::math::{Element, PI, Vec3};
+use super::tabulated::{Profile, Tabulated, height};
+use crate::math::{Element, Vec3};
 
 /// In the paper's notation, with its width called a here and its power p,
 ///
@@ -29,23 +27,16 @@ use crate::math::{Element, PI, Vec3};
 ///
 /// alpha is in [1e-4, 1], p in [0, 4]. The authors' fits to 100 measured materials have p from 0 to 1.8,
 /// half of them between 0.2 and 0.7 about a median of 0.44.
-pub(crate) struct Sgd<T> {
-    lobe: ShiftedGamma<T>,
-    projected: Projected<T>,
-    quantile: Quantile<T>,
-}
+///
+/// The area beyond an angle is Gamma(1 - p, x) / Gamma(1 - p, a): normals are drawn by its table.
+pub(crate) type Sgd<T> = Tabulated<T, ShiftedGamma<T>>;
 
 impl<T: Element> Sgd<T> {
     /// With its tables.
-    pub(crate) fn new(alpha: f64, p: f64) -> Self {
-        let at_normal = 1.0 / (PI * alpha * alpha);
-        let a = width(alpha, p);
-        let lobe = ShiftedGamma::<f64>::new(at_normal, a, p);
-        Self {
-            lobe: ShiftedGamma::new(at_normal, a, p),
-            projected: Projected::new(alpha, |h| lobe.density(h)),
-            quantile: Quantile::new(alpha, |h| lobe.density(h)),
-        }
+    pub(crate) fn of(alpha: f64, p: f64) -> Self {
+        let (height, a) = (height(alpha), width(alpha, p));
+        let exact = ShiftedGamma::new(height, a, p);
+        Self::new(alpha, ShiftedGamma::new(height, a, p), &exact)
     }
 }
 
@@ -60,7 +51,7 @@ fn width(alpha: f64, p: f64) -> f64 {
 }
 
 /// The function with its parameters.
-struct ShiftedGamma<T> {
+pub(crate) struct ShiftedGamma<T> {
     at_normal: T,
     inverse: T,
     inverse_squared: T,
@@ -81,7 +72,9 @@ impl<T: Element> ShiftedGamma<T> {
             p,
         }
     }
+}
 
+impl<T: Element> Profile<T> for ShiftedGamma<T> {
     /// Divided by its value at the normal, e^(-x) x^(-p) is e^(-tan^2 / a) (1 + tan^2 / a^2)^(-p).
     #[inline(always)]
     fn density(&self, h: Vec3<T>) -> T {
@@ -91,29 +84,5 @@ impl<T: Element> ShiftedGamma<T> {
         let exponent = tan_squared * self.inverse + power + ln_cos_squared(h) * T::new(2.0);
         let density = self.at_normal * (-exponent).exp();
         T::select(h.z.gt(T::new(0.0)), density, T::new(0.0))
-    }
-}
-
-impl<T: Element> Normals<T> for &Sgd<T> {
-    #[inline(always)]
-    fn density(&self, h: Vec3<T>) -> T {
-        self.lobe.density(h)
-    }
-
-    #[inline(always)]
-    fn averted_area(&self, w: Vec3<T>) -> T {
-        self.projected.averted_area(w)
-    }
-
-    /// The area beyond an angle is Gamma(1 - p, x) / Gamma(1 - p, a), inverted by table.
-    #[inline(always)]
-    fn sample(&self, _wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
-        self.quantile.sample(u)
-    }
-
-    /// D(h) h.z
-    #[inline(always)]
-    fn sample_density(&self, _wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) * h.z
     }
 }

@@ -1,0 +1,150 @@
+//! The errors of a table between its values.
+
+use super::super::table::{Curve, Table};
+use super::{Limits, Source, Task};
+use crate::math::spline::FARTHEST;
+use crate::math::{Element, Rgb};
+
+/// Errors of single channels.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in super::super) struct Errors {
+    pub max: f64,
+    pub squares: f64,
+    pub count: usize,
+}
+
+/// How many cosines are measured besides, and the range that they are in.
+const GRAZING: usize = 24;
+const GREATEST_GRAZING: f64 = 0.2;
+const LEAST_GRAZING: f64 = 1e-5;
+/// About how many of the worst points a table is measured again, at how many points along each coordinate,
+/// and how far from them, in intervals.
+const WORST: usize = 16;
+const AROUND: usize = 6;
+const CLOSE: f64 = 1.0;
+impl Errors {
+    pub(in super::super) fn add(
+        &mut self,
+        found: Rgb<f64>,
+        expected: Rgb<f64>,
+        unclipped: bool,
+    ) -> f64 {
+        let seen = |x: f64| if unclipped { x } else { x.clamp(0.0, 1.0) };
+        let mut worst = 0.0f64;
+        for c in 0..3 {
+            let error = (seen(found[c]) - seen(expected[c])).abs();
+            // Which max() would leave out.
+            let error = if error.is_nan() { f64::INFINITY } else { error };
+            self.squares += error * error;
+            worst = worst.max(error);
+        }
+        self.count += 3;
+        self.max = self.max.max(worst);
+        worst
+    }
+
+    pub(in super::super) fn merge(&mut self, other: &Self) {
+        self.max = self.max.max(other.max);
+        self.squares += other.squares;
+        self.count += other.count;
+    }
+
+    pub(in super::super) fn rms(&self) -> f64 {
+        (self.squares / self.count.max(1) as f64).sqrt()
+    }
+}
+
+/// The errors between the values of a table over the cosine, which are at `at` of whole numbers.
+pub(super) fn of_curve(
+    source: &mut Source<'_>,
+    table: &Curve,
+    limits: Limits,
+    at: impl Fn(f64) -> f64,
+) -> Errors {
+    let mut errors = Errors::default();
+    for i in 0..table.count() - 1 {
+        for t in [FARTHEST, 1.0 - FARTHEST] {
+            let c = at(i as f64 + t);
+            let found = f32::channels(table.at(c as f32)).map(f64::from);
+            errors.add(found, source(c, 0.0), limits.unclipped);
+        }
+    }
+    errors
+}
+
+/// The errors between the values of a table, where they are greatest within an interval; and at the
+/// worst point the errors along each coordinate alone.
+pub(super) fn of_table(
+    task: &mut Task<'_>,
+    table: &Table,
+    [width, height]: [usize; 2],
+    point: &impl Fn(f64, f64) -> (f64, f64),
+) -> (Errors, [f64; 2]) {
+    let limits = task.limits;
+    let [least, greatest] = task.range;
+    let mut errors = Errors::default();
+    let mut worst: Vec<(f64, [f64; 2])> = Vec::new();
+    let measure = |task: &mut Task<'_>, i: f64, j: f64, errors: &mut Errors| {
+        let (c, d) = point(i, j);
+        // Thicker films than the range allows are in the table, but are not asked for.
+        if d > greatest && point(i, j.floor() - 1.0).1 > greatest {
+            return 0.0;
+        }
+        let d = d.clamp(least, greatest);
+        let found = f32::channels(table.at(c as f32, d as f32)).map(f64::from);
+        errors.add(found, (task.source)(c, d), limits.unclipped)
+    };
+    // Each interval on one of the two sides where the error is greatest, by turns; those at the ends,
+    // where its shape is another, on both and in the middle.
+    const SIDES: [f64; 3] = [FARTHEST, 1.0 - FARTHEST, 0.5];
+    let sides = |i: usize, count: usize| {
+        let is_end = i < 2 || i + 3 >= count;
+        let sides = if is_end {
+            &SIDES[..]
+        } else {
+            &SIDES[i % 2..][..1]
+        };
+        sides.iter().map(move |side| i as f64 + side)
+    };
+    for x in (0..width - 1).flat_map(|i| sides(i, width)) {
+        for y in (0..height - 1).flat_map(|j| sides(j, height)) {
+            let error = measure(task, x, y, &mut errors);
+            if worst.len() < WORST {
+                worst.push((error, [x, y]));
+            } else if error > worst[WORST - 1].0 {
+                worst[WORST - 1] = (error, [x, y]);
+            } else {
+                continue;
+            }
+            worst.sort_by(|a, b| b.0.total_cmp(&a.0));
+        }
+    }
+    // Narrow peaks have their tops elsewhere.
+    for &(_, [x, y]) in &worst {
+        let inside = |at: f64, step: usize, count: usize| {
+            let offset = CLOSE * ((step as f64 + 0.5) / AROUND as f64 * 2.0 - 1.0);
+            (at + offset).clamp(0.0, (count - 1) as f64)
+        };
+        for i in 0..AROUND {
+            for j in 0..AROUND {
+                measure(task, inside(x, i, width), inside(y, j, height), &mut errors);
+            }
+        }
+    }
+    // What is narrower than an interval hides at grazing angles.
+    for i in 0..GRAZING {
+        let c =
+            GREATEST_GRAZING * (LEAST_GRAZING / GREATEST_GRAZING).powf(i as f64 / GRAZING as f64);
+        for j in 0..GRAZING / 2 {
+            let part = (0.5 + 0.618_034 * (i + j * GRAZING) as f64).fract();
+            let d = least + part * part * (greatest - least);
+            let found = f32::channels(table.at(c as f32, d as f32)).map(f64::from);
+            errors.add(found, (task.source)(c, d), limits.unclipped);
+        }
+    }
+    let [x, y] = worst.first().map_or([0.0; 2], |worst| worst.1);
+    let mut aside = Errors::default();
+    let across = measure(task, x, y.round(), &mut aside);
+    let along = measure(task, x.round(), y, &mut aside);
+    (errors, [across, along])
+}
