@@ -44,6 +44,8 @@ const FILLING: f64 = 0.1;
 const MEASURED: f64 = 0.4;
 /// That of the series, whose errors are narrow peaks.
 const PEAKS: f64 = 0.05;
+/// From so many nodes on a series is not refined: it would take as long as the reference.
+const MOST_NODES: usize = 4000;
 /// How many points those are, if the series is the truth for a thickness that varies, and else.
 const POINTS: usize = 3000;
 const SLOW_POINTS: usize = 60;
@@ -205,17 +207,24 @@ impl Workshop<'_> {
         Ok(self.measured(Box::new(method), kind.cost()))
     }
 
-    /// With twice the nodes, as nothing smooths what is wrong at single points.
+    /// With at least twice the nodes of the table's, as nothing smooths what is wrong at single points.
     fn series(&self) -> Result<Attempt, Error> {
         let description = self.description;
-        let series = Series::new(description, 2 * self.series.len())?;
-        // Narrow resonances hide between the few points at which there is time for the reference.
-        let uncertainty = uncertainty(description, &series, MANY_POINTS)?;
+        let allowed = PEAKS * self.limits.tolerance;
+        let mut nodes = self.series.len();
+        let (series, uncertainty) = loop {
+            nodes *= 2;
+            let series = Series::new(description, nodes)?;
+            // Narrow resonances hide between the few points at which there is time for the reference.
+            let uncertainty = uncertainty(description, &series, MANY_POINTS)?;
+            if uncertainty <= allowed || nodes >= MOST_NODES {
+                break (series, uncertainty);
+            }
+        };
         let (bytes, nodes) = (series.bytes(), series.len());
         let method = SeriesMethod(series);
         let mut errors = Errors::default();
-        let is_hopeless = uncertainty > PEAKS * self.limits.tolerance;
-        let count = if is_hopeless { 0 } else { SLOW_POINTS };
+        let count = if uncertainty > allowed { 0 } else { SLOW_POINTS };
         for (side, c, d) in points(description, count) {
             let found = method.colors(side, c as f32, d as f32);
             let truth = self
