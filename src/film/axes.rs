@@ -119,8 +119,8 @@ impl<T: Real> Axes<T> {
     /// The second.
     #[inline(always)]
     pub(super) fn y(&self, cos_theta: T, thickness_nm: T) -> T {
-        let d = (thickness_nm - self.from) * self.fade;
-        self.stretch - self.stretch / (T::new(1.0) + d * self.upright(cos_theta))
+        let path = (thickness_nm - self.from) * self.fade * self.upright(cos_theta);
+        self.stretch * path / (T::new(1.0) + path)
     }
 }
 

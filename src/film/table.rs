@@ -110,10 +110,14 @@ impl Table {
     pub(super) fn at(&self, cos_theta: f32, thickness_nm: f32) -> Lanes {
         let x = self.axes.x(cos_theta, thickness_nm);
         let y = self.axes.y(cos_theta, thickness_nm);
-        let whole = [x, y].map(|position| position + WHOLE);
-        let [i, j] = whole.map(|whole| (whole.to_bits() & 0x007f_ffff) as usize);
-        let across = weights(f32::gray(x - (whole[0] - WHOLE)));
-        let along = weights(f32::gray(y - (whole[1] - WHOLE)));
+        // Both at once, in two of the three lanes.
+        let position = f32::rgb([x, y, y]);
+        let offset = f32::gray(WHOLE);
+        let whole = position + offset;
+        let [i, j, _] = f32::channels(whole).map(|whole| (whole.to_bits() & 0x007f_ffff) as usize);
+        let both = weights(position - (whole - offset));
+        let across = both.map(|weight| f32::gray(f32::channels(weight)[0]));
+        let along = both.map(|weight| f32::gray(f32::channels(weight)[1]));
         let rows = f32::load_block(&self.points, j * self.row + i, self.row);
         let sums = rows.map(|row| weighted(row, across));
         weighted(sums, along)
