@@ -1,7 +1,8 @@
 //! Film handles and single calls.
 
-use super::boundary::{refuse_null, 
-    check_output, guard, quiet_panics, read_growing, reference, require, slice, write_growing,
+use super::boundary::{
+    check_output, guard, quiet_panics, read_growing, reference, refuse_null, require, slice,
+    write_growing,
 };
 use super::film_description::film_description;
 use super::types::{
@@ -123,7 +124,12 @@ pub unsafe extern "C" fn pellicle_film_reflectance(
     }
     guard(|| {
         // SAFETY: the caller vouches for the handle and for 3 numbers.
-        unsafe { write(rgb, (*film.cast::<Film>()).reflectance(cos_theta, thickness_nm)) };
+        unsafe {
+            write(
+                rgb,
+                (*film.cast::<Film>()).reflectance(cos_theta, thickness_nm),
+            )
+        };
         Ok(())
     })
 }

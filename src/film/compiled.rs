@@ -21,7 +21,7 @@ pub struct Film {
     plan: Plan,
     /// What thicknesses and colours are held in.
     thickness_nm: [f32; 2],
-    color: [f32; 2],
+    color: [Lanes; 2],
     reference: Reference,
 }
 
@@ -98,7 +98,7 @@ impl Film {
             compiled,
             plan,
             thickness_nm: description.varying_range().map(|x| x as f32),
-            color,
+            color: color.map(f32::gray),
             reference,
         })
     }
@@ -227,7 +227,7 @@ impl Film {
 
     #[inline(always)]
     fn finished(&self, rgb: Lanes) -> Rgb<f32> {
-        let [min, max] = self.color.map(f32::gray);
+        let [min, max] = self.color;
         f32::channels(rgb.max(min).min(max))
     }
 

@@ -72,19 +72,27 @@ pub(super) fn converged(
 }
 
 /// The greatest difference of a series and one with half as many nodes again, at so many points and about
-/// those where it is greatest: resonances are ridges, and seldom is a point on top of one.
+/// those where it is greatest: resonances are ridges, and seldom is a point on top of one. The search ends with
+/// the first difference that is not allowed.
 pub(super) fn uncertainty(
     description: &FilmDescription,
     series: &Series,
     count: usize,
+    allowed: f64,
 ) -> Result<f64, Error> {
     let fine = Series::new(description, series.len() + series.len() / 2)?;
     let difference = |&point: &(Side, f64, f64)| {
         let [series, fine] = [series, &fine].map(|series| evaluated(series, &[point]));
         greatest(description, &series, &fine)
     };
-    let found = points(description, count).map(|point| (difference(&point), point));
-    let mut found: Vec<_> = found.collect();
+    let mut found = Vec::with_capacity(count);
+    for point in points(description, count) {
+        let error = difference(&point);
+        if error > allowed {
+            return Ok(error);
+        }
+        found.push((error, point));
+    }
     found.sort_by(|a, b| b.0.total_cmp(&a.0));
     let [least, greatest] = measured_range(description);
     let mut random = 0.5;
