@@ -97,6 +97,13 @@ pub(super) fn require<T>(pointer: *const T, name: &'static str) -> Result<(), Er
     }
 }
 
+/// The whole of a call with that argument NULL.
+#[cold]
+#[inline(never)]
+pub(super) fn refuse_null(name: &'static str) -> PellicleStatus {
+    guard(|| Err(null(name)))
+}
+
 #[cold]
 #[inline(never)]
 fn null(name: &'static str) -> Error {

@@ -1,7 +1,8 @@
 //! Film handles and single calls.
 
 use super::boundary::{
-    check_output, guard, quiet_panics, read_growing, reference, require, slice, write_growing,
+    check_output, guard, quiet_panics, read_growing, reference, refuse_null, require, slice,
+    write_growing,
 };
 use super::film_description::film_description;
 use super::types::{
@@ -117,10 +118,18 @@ pub unsafe extern "C" fn pellicle_film_reflectance(
     thickness_nm: f32,
     rgb: *mut f32,
 ) -> PellicleStatus {
+    // Refused apart, so that the numbers stay in their registers.
+    if film.is_null() || rgb.is_null() {
+        return refuse_null(if rgb.is_null() { "rgb" } else { "film" });
+    }
     guard(|| {
-        require(rgb, "rgb")?;
         // SAFETY: the caller vouches for the handle and for 3 numbers.
-        unsafe { write(rgb, handle(film)?.reflectance(cos_theta, thickness_nm)) };
+        unsafe {
+            write(
+                rgb,
+                (*film.cast::<Film>()).reflectance(cos_theta, thickness_nm),
+            )
+        };
         Ok(())
     })
 }

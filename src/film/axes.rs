@@ -1,8 +1,9 @@
 //! The coordinates of a table: where the reflectance of a film is smooth, and cheap to find.
 
-use crate::math::Real;
+use super::table::Lanes;
+use crate::math::Element;
 
-/// Maps (cosine, thickness) to the unit square, or to as many steps as a table has, and back. With d the thickness above its least value:
+/// Maps (cosine, thickness) to the unit square. With d the thickness above its least value:
 ///
 /// ```text
 /// x = cos (1 + gamma) / (cos + gamma)     gamma = scale (d + least) / (d + half)
@@ -17,17 +18,15 @@ use crate::math::Real;
 /// cosine, a parabola in cos^2 through three of its values (any function would do; the closer, the
 /// fewer columns). And it is dense where the film is thin, as fringes fade where paths are long.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Axes<T> {
-    /// The greatest value of x.
-    last: T,
-    scale: T,
-    least: T,
-    half: T,
-    upright: [T; 3],
-    /// The least thickness; the fade per nm; 1 + 1 / fade, times the greatest value of y.
-    from: T,
-    fade: T,
-    stretch: T,
+pub(super) struct Axes {
+    scale: f64,
+    least: f64,
+    half: f64,
+    upright: [f64; 3],
+    /// The least thickness; the fade per nm; 1 + 1 / fade.
+    from: f64,
+    fade: f64,
+    stretch: f64,
 }
 
 /// With `least` below this, colours at thickness 0 are those in the limit of such a film, nm: a thousandth
@@ -48,14 +47,13 @@ pub(super) struct Shape {
     pub fade: f64,
 }
 
-impl Axes<f64> {
+impl Axes {
     /// For thicknesses in a range, nm.
     pub(super) fn new(shape: Shape, [min, max]: [f64; 2]) -> Self {
         let range = (max - min).max(f64::MIN_POSITIVE);
         let cosine = |u: f64| (1.0 - shape.tilt * (1.0 - u)).sqrt();
         let [a, b, c] = [0.0, 0.5, 1.0].map(cosine);
         Self {
-            last: 1.0,
             scale: shape.scale,
             least: shape.least,
             half: shape.half,
@@ -64,6 +62,11 @@ impl Axes<f64> {
             fade: shape.fade / range,
             stretch: 1.0 + 1.0 / shape.fade,
         }
+    }
+
+    fn upright(&self, cos_theta: f64) -> f64 {
+        let u = cos_theta * cos_theta;
+        self.upright[0] + (self.upright[1] + self.upright[2] * u) * u
     }
 
     /// The cosine and the thickness at a point of the unit square; the thickness may exceed its range.
@@ -85,42 +88,77 @@ impl Axes<f64> {
         (cos_theta, self.from + d)
     }
 
-    /// In single precision, counting so many steps along either coordinate.
-    pub(super) fn rounded(&self, steps: [usize; 2]) -> Axes<f32> {
-        Axes {
-            last: steps[0] as f32,
-            scale: self.scale as f32,
-            least: self.least as f32,
-            half: self.half as f32,
-            upright: self.upright.map(|c| c as f32),
+    /// From a cosine and a thickness to the numbers of steps along either coordinate, of which there are so
+    /// many.
+    pub(super) fn coordinates(&self, steps: [usize; 2]) -> Coordinates {
+        let [across, along] = steps.map(|steps| steps as f64);
+        let stretch = self.stretch * along;
+        let [u, v, w] = self.upright;
+        let pair = |x: f64, y: f64| f32::rgb([x, y, y].map(|number| number as f32));
+        let linear = |slope: [f64; 2], constant: [f64; 2]| Linear {
+            slope: pair(slope[0], slope[1]),
+            constant: pair(constant[0], constant[1]),
+        };
+        Coordinates {
             from: self.from as f32,
-            fade: self.fade as f32,
-            stretch: (self.stretch * steps[1] as f64) as f32,
+            numerator: linear(
+                [1.0 + self.scale, self.fade * stretch],
+                [self.half + self.scale * self.least, 0.0],
+            ),
+            denominator: linear([1.0, self.fade], [self.half, 0.0]),
+            rest: linear([self.scale, 0.0], [self.scale * self.least, 1.0]),
+            cosine: [pair(0.0, u), pair(across, 0.0), pair(0.0, v), pair(0.0, w)],
+            unscaled: pair(1.0 / across, 1.0),
         }
     }
 }
 
-impl<T: Real> Axes<T> {
-    #[inline(always)]
-    fn upright(&self, cos_theta: T) -> T {
-        let u = cos_theta * cos_theta;
-        (self.upright[0] + self.upright[1] * u) + (self.upright[2] * u) * u
-    }
+/// [`Axes`] the other way, for both coordinates at once: x and y are in the first two places of
+///
+/// ```text
+/// numerator(d) f(cos) / (denominator(d) f(cos) + rest(d))
+/// x: (d + half + scale (d + least)) cos / ((d + half) cos + scale (d + least))
+/// y: stretch fade d upright(cos) / (fade d upright(cos) + 1)
+/// ```
+///
+/// with the numbers of steps as factors of the numerators.
+#[derive(Clone, Debug)]
+pub(super) struct Coordinates {
+    from: f32,
+    numerator: Linear,
+    denominator: Linear,
+    rest: Linear,
+    /// The coefficients of cos^0, cos, cos^2 and cos^4 in f, which has x's number of steps as a factor.
+    cosine: [Lanes; 4],
+    /// That factor's inverse.
+    unscaled: Lanes,
+}
 
-    /// The first coordinate at a cosine in [0, 1] and a thickness within the range.
-    #[inline(always)]
-    pub(super) fn x(&self, cos_theta: T, thickness_nm: T) -> T {
-        let d = thickness_nm - self.from;
-        let below = d + self.half;
-        let gamma = self.scale * (d + self.least);
-        (cos_theta * self.last) * (below + gamma) / (cos_theta * below + gamma)
-    }
+/// A linear function of the thickness.
+#[derive(Clone, Debug)]
+struct Linear {
+    slope: Lanes,
+    constant: Lanes,
+}
 
-    /// The second.
+impl Linear {
     #[inline(always)]
-    pub(super) fn y(&self, cos_theta: T, thickness_nm: T) -> T {
-        let d = (thickness_nm - self.from) * self.fade;
-        self.stretch - self.stretch / (T::new(1.0) + d * self.upright(cos_theta))
+    fn at(&self, d: Lanes) -> Lanes {
+        self.slope * d + self.constant
+    }
+}
+
+impl Coordinates {
+    /// At a cosine in [0, 1] and a thickness within the range; y is in the third place too.
+    #[inline(always)]
+    pub(super) fn at(&self, cos_theta: f32, thickness_nm: f32) -> Lanes {
+        let d = f32::gray(thickness_nm - self.from);
+        let cosine = f32::gray(cos_theta);
+        let square = cosine * cosine;
+        let [constant, first, second, fourth] = self.cosine;
+        let f = (fourth * square + second) * square + (constant + first * cosine);
+        let divisor = self.denominator.at(d) * (f * self.unscaled) + self.rest.at(d);
+        self.numerator.at(d) * f / divisor
     }
 }
 
@@ -141,15 +179,19 @@ mod tests {
                     fade,
                 };
                 let axes = Axes::new(shape, [20.0, 900.0]);
-                for cos_theta in [1.0, 0.6, 0.02] {
-                    for thickness in [20.5, 130.0, 900.0] {
-                        let (x, y) = (axes.x(cos_theta, thickness), axes.y(cos_theta, thickness));
-                        assert!((0.0..=1.0 + 1e-12).contains(&x));
-                        assert!((-1e-12..=1.0 + 1e-12).contains(&y));
-                        let (c, d) = axes.point(x, y);
-                        assert!((c - cos_theta).abs() < 1e-9, "{c} {cos_theta}");
-                        assert!((d / thickness - 1.0).abs() < 1e-9, "{d} {thickness}");
-                    }
+                let coordinates = axes.coordinates([1000, 500]);
+                for (x, y) in [
+                    (1.0, 1.0),
+                    (0.7, 0.02),
+                    (0.3, 0.9),
+                    (1e-3, 0.4),
+                    (0.5, 0.01),
+                ] {
+                    let (c, d) = axes.point(x, y);
+                    assert!((0.0..=1.0 + 1e-9).contains(&c) && d >= 20.0, "{c} {d}");
+                    let found = f32::channels(coordinates.at(c as f32, d as f32)).map(f64::from);
+                    assert!((found[0] / 1000.0 - x).abs() < 1e-5, "{x}: {found:?}");
+                    assert!((found[1] / 500.0 - y).abs() < 1e-5, "{y}: {found:?}");
                 }
             }
         }

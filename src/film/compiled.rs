@@ -21,7 +21,7 @@ pub struct Film {
     plan: Plan,
     /// What thicknesses and colours are held in.
     thickness_nm: [f32; 2],
-    color: [f32; 2],
+    color: [Lanes; 2],
     reference: Reference,
 }
 
@@ -98,7 +98,7 @@ impl Film {
             compiled,
             plan,
             thickness_nm: description.varying_range().map(|x| x as f32),
-            color,
+            color: color.map(f32::gray),
             reference,
         })
     }
@@ -120,21 +120,27 @@ impl Film {
     }
 
     /// Reflectance from the ambient's side.
-    #[inline]
+    #[inline(always)]
     pub fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         let Some((cos_theta, thickness_nm)) = self.held(cos_theta, thickness_nm) else {
             return [0.0; 3];
         };
-        let found = match &self.compiled {
+        self.finished(match &self.compiled {
             Compiled::Table(table) => table.at(cos_theta, thickness_nm),
             Compiled::Curve(curve) => curve.at(cos_theta),
-            Compiled::Other(other) => f32::rgb(other.reflectance(cos_theta, thickness_nm)),
-            Compiled::Reference => f32::rgb(
+            _ => f32::rgb(self.untabulated(cos_theta, thickness_nm)),
+        })
+    }
+
+    #[inline(never)]
+    fn untabulated(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        match &self.compiled {
+            Compiled::Other(other) => other.reflectance(cos_theta, thickness_nm),
+            _ => {
                 self.converged(Side::Ambient, cos_theta, thickness_nm)
-                    .reflectance,
-            ),
-        };
-        self.finished(found)
+                    .reflectance
+            }
+        }
     }
 
     /// Reflectance and transmittance from either side; all 0 from a base that absorbs. From a base
@@ -221,7 +227,7 @@ impl Film {
 
     #[inline(always)]
     fn finished(&self, rgb: Lanes) -> Rgb<f32> {
-        let [min, max] = self.color.map(f32::gray);
+        let [min, max] = self.color;
         f32::channels(rgb.max(min).min(max))
     }
 

@@ -22,6 +22,12 @@ const SOME_NM: [f64; 9] = [
 /// The difference of two series is so many times the error of the finer one, or more: that falls faster
 /// than any power of the nodes once they resolve the spectrum.
 const FASTER: f64 = 3.0;
+/// About so many points where two series differ most, so many others are compared, first within this factor
+/// of the cosine and of the thickness (its logarithm), at last within that.
+const CLIMBS: usize = 16;
+const CLIMB: u32 = 40;
+const FARTHEST: f64 = 0.7;
+const NEAREST: f64 = 1e-3;
 /// One in so many of them is compared with the reference.
 const SELDOM: usize = 9;
 
@@ -65,16 +71,50 @@ pub(super) fn converged(
     Ok((series, error))
 }
 
-/// The greatest difference of a series and one with half as many nodes again, at so many points.
+/// The greatest difference of a series and one with half as many nodes again, at so many points and about
+/// those where it is greatest: resonances are ridges, and seldom is a point on top of one. The search ends with
+/// the first difference that is not allowed.
 pub(super) fn uncertainty(
     description: &FilmDescription,
     series: &Series,
     count: usize,
+    allowed: f64,
 ) -> Result<f64, Error> {
-    let points: Vec<_> = points(description, count).collect();
     let fine = Series::new(description, series.len() + series.len() / 2)?;
-    let [series, fine] = [series, &fine].map(|series| evaluated(series, &points));
-    Ok(greatest(description, &series, &fine))
+    let difference = |&point: &(Side, f64, f64)| {
+        let [series, fine] = [series, &fine].map(|series| evaluated(series, &[point]));
+        greatest(description, &series, &fine)
+    };
+    let mut found = Vec::with_capacity(count);
+    for point in points(description, count) {
+        let error = difference(&point);
+        if error > allowed {
+            return Ok(error);
+        }
+        found.push((error, point));
+    }
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let [least, greatest] = measured_range(description);
+    let mut random = 0.5;
+    let climbed = found.into_iter().take(CLIMBS).map(|(mut best, mut top)| {
+        for step in 0..CLIMB {
+            let part = f64::from(step) / f64::from(CLIMB);
+            let reach = FARTHEST * (NEAREST / FARTHEST).powf(part);
+            let mut factor = |by: f64| {
+                random = (random + by).fract();
+                (reach * (2.0 * random - 1.0)).exp()
+            };
+            let (side, c, d) = top;
+            let c = (c * factor(0.754_877_666)).min(1.0);
+            let d = (least + (d - least) * factor(0.569_840_291)).min(greatest);
+            let error = difference(&(side, c, d));
+            if error > best {
+                (best, top) = (error, (side, c, d));
+            }
+        }
+        best
+    });
+    Ok(climbed.fold(0.0, f64::max))
 }
 
 fn evaluated(series: &Series, points: &[(Side, f64, f64)]) -> Vec<Powers> {

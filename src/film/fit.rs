@@ -97,7 +97,7 @@ pub(super) fn table(task: &mut Task<'_>) -> Result<Option<Fitted<Table>>, Error>
 /// A table on these axes, of the size that the limits take; none if they cannot be met.
 fn grown(
     task: &mut Task<'_>,
-    axes: &Axes<f64>,
+    axes: &Axes,
     mut counts: [usize; 2],
 ) -> Result<Option<Fitted<Table>>, Error> {
     let limits = task.limits;
@@ -146,7 +146,7 @@ fn grown(
 /// A table of so many values, its errors, and at the worst point those along each coordinate alone.
 fn filled(
     task: &mut Task<'_>,
-    axes: &Axes<f64>,
+    axes: &Axes,
     [width, height]: [usize; 2],
 ) -> Result<(Fitted<Table>, [f64; 2]), Error> {
     let point = |i: f64, j: f64| axes.point(i / (width - 1) as f64, j / (height - 1) as f64);

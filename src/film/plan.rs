@@ -216,7 +216,7 @@ impl Workshop<'_> {
             nodes *= 2;
             let series = Series::new(description, nodes)?;
             // Narrow resonances hide between the few points at which there is time for the reference.
-            let uncertainty = uncertainty(description, &series, MANY_POINTS)?;
+            let uncertainty = uncertainty(description, &series, MANY_POINTS, allowed)?;
             if uncertainty <= allowed || nodes >= MOST_NODES {
                 break (series, uncertainty);
             }
@@ -224,7 +224,11 @@ impl Workshop<'_> {
         let (bytes, nodes) = (series.bytes(), series.len());
         let method = SeriesMethod(series);
         let mut errors = Errors::default();
-        let count = if uncertainty > allowed { 0 } else { SLOW_POINTS };
+        let count = if uncertainty > allowed {
+            0
+        } else {
+            SLOW_POINTS
+        };
         for (side, c, d) in points(description, count) {
             let found = method.colors(side, c as f32, d as f32);
             let truth = self

@@ -16,6 +16,9 @@ use terms::Media;
 
 /// The greatest ratio of a medium's group index and its index.
 const MOST_GROUP: f64 = 1.7;
+/// Paths up to which no harmonic is cut, and from which on all are: a layer between lossless neighbours first
+/// resonates at half a wavelength, 190 nm.
+const FRINGELESS_NM: [f64; 2] = [90.0, 180.0];
 /// Cosines below this are taken for it: there a film either mirrors, or nothing is there.
 const LEAST_COSINE: f64 = 1e-9;
 
@@ -227,12 +230,17 @@ impl Series {
 
     /// The last harmonic that the nodes tell apart at a path, nm, and the part of the next one that makes
     /// the sum continuous in the path; that fades within a quarter of the longest path.
+    ///
+    /// Layers too thin for a fringe of their own are summed whole: what is narrow there comes from the phases
+    /// of g, that is from the layers around, or from waves that do not travel.
     fn order(&self, path: f64) -> Order {
         let last = self.longest_path() / path.max(1e-3);
         let whole = last.floor();
         let fading = 1.0 - 4.0 * ((whole + 1.0) / last - 1.0);
         let part = (last - whole).min(fading).max(0.0);
-        Order { whole, part }
+        let [none, all] = FRINGELESS_NM;
+        let cut = ((path - none) / (all - none)).clamp(0.0, 1.0);
+        Order { whole, part, cut }
     }
 
     /// 1 / (2 delta), nm.

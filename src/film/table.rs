@@ -1,6 +1,6 @@
 //! Compiled tables: a quadratic spline in one or two coordinates.
 
-use super::axes::Axes;
+use super::axes::{Axes, Coordinates};
 use crate::error::Error;
 use crate::math::spline::{controls, weights};
 use crate::math::{Element, Rgb};
@@ -19,7 +19,7 @@ const WHOLE: f32 = 8_388_608.0;
 /// Cost: one division, 3 control points.
 #[derive(Clone, Debug)]
 pub(super) struct Curve {
-    axes: Axes<f32>,
+    coordinates: Coordinates,
     points: Box<[Control]>,
 }
 
@@ -28,7 +28,7 @@ pub(super) struct Curve {
 /// Cost: two divisions, side by side, and 9 control points.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
-    axes: Axes<f32>,
+    coordinates: Coordinates,
     /// Rows of equal y, two longer than the values were.
     points: Box<[Control]>,
     row: usize,
@@ -42,13 +42,13 @@ fn weighted([a, b, c]: [Lanes; 3], [u, v, w]: [Lanes; 3]) -> Lanes {
 impl Curve {
     /// Through values at equal steps of the first coordinate, at least
     /// [`LEAST_VALUES`](crate::math::spline::LEAST_VALUES).
-    pub(super) fn new(axes: &Axes<f64>, values: &[Rgb<f64>]) -> Result<Self, Error> {
+    pub(super) fn new(axes: &Axes, values: &[Rgb<f64>]) -> Result<Self, Error> {
         let mut fitted = Vec::new();
         controls(values, &mut fitted);
         let mut points = reserve(fitted.len())?;
         points.extend(fitted.into_iter().map(packed));
         Ok(Self {
-            axes: axes.rounded([values.len() - 1, 0]),
+            coordinates: axes.coordinates([values.len() - 1, 0]),
             points: points.into(),
         })
     }
@@ -56,7 +56,7 @@ impl Curve {
     /// At a cosine in [0, 1].
     #[inline(always)]
     pub(super) fn at(&self, cos_theta: f32) -> Lanes {
-        let position = self.axes.x(cos_theta, 0.0);
+        let [position, ..] = f32::channels(self.coordinates.at(cos_theta, 0.0));
         let whole = position + WHOLE;
         let index = (whole.to_bits() & 0x007f_ffff) as usize;
         let [points, ..] = f32::load_block(&self.points, index, 0);
@@ -77,7 +77,7 @@ impl Curve {
 impl Table {
     /// Through values at equal steps of both coordinates, rows of equal y, `width` to a row; at least
     /// [`LEAST_VALUES`](crate::math::spline::LEAST_VALUES) either way.
-    pub(super) fn new(axes: &Axes<f64>, values: &[Rgb<f64>], width: usize) -> Result<Self, Error> {
+    pub(super) fn new(axes: &Axes, values: &[Rgb<f64>], width: usize) -> Result<Self, Error> {
         let height = values.len() / width;
         let row = width + 2;
         // Control points of each row first, then of each column of those.
@@ -99,7 +99,7 @@ impl Table {
             }
         }
         Ok(Self {
-            axes: axes.rounded([width - 1, height - 1]),
+            coordinates: axes.coordinates([width - 1, height - 1]),
             points: points.into(),
             row,
         })
@@ -108,12 +108,13 @@ impl Table {
     /// At a cosine in [0, 1] and a thickness within the range.
     #[inline(always)]
     pub(super) fn at(&self, cos_theta: f32, thickness_nm: f32) -> Lanes {
-        let x = self.axes.x(cos_theta, thickness_nm);
-        let y = self.axes.y(cos_theta, thickness_nm);
-        let whole = [x, y].map(|position| position + WHOLE);
-        let [i, j] = whole.map(|whole| (whole.to_bits() & 0x007f_ffff) as usize);
-        let across = weights(f32::gray(x - (whole[0] - WHOLE)));
-        let along = weights(f32::gray(y - (whole[1] - WHOLE)));
+        let position = self.coordinates.at(cos_theta, thickness_nm);
+        let offset = f32::gray(WHOLE);
+        let whole = position + offset;
+        let [i, j, _] = f32::channels(whole).map(|whole| (whole.to_bits() & 0x007f_ffff) as usize);
+        let both = weights(position - (whole - offset));
+        let across = both.map(|weight| f32::gray(f32::channels(weight)[0]));
+        let along = both.map(|weight| f32::gray(f32::channels(weight)[1]));
         let rows = f32::load_block(&self.points, j * self.row + i, self.row);
         let sums = rows.map(|row| weighted(row, across));
         weighted(sums, along)

@@ -51,10 +51,14 @@ pub(crate) fn controls(values: &[Rgb<f64>], out: &mut Vec<Rgb<f64>>) {
 /// The weights of the three control points around a value, a distance in [-1/2, 1/2] from it.
 #[inline(always)]
 pub(crate) fn weights<T: Real>(distance: T) -> [T; 3] {
-    let half = T::new(0.5);
-    let square = distance * distance;
-    let before = (square - distance) * half + T::new(0.125);
-    [before, T::new(0.75) - square, before + distance]
+    let root = T::new(std::f64::consts::FRAC_1_SQRT_2);
+    let half = T::new(0.5 * std::f64::consts::FRAC_1_SQRT_2);
+    let (before, after) = (distance * root - half, distance * root + half);
+    [
+        before * before,
+        T::new(0.75) - distance * distance,
+        after * after,
+    ]
 }
 
 /// Where between the values the spline's error is greatest, from the nearest one: there t^3 - t / 4,

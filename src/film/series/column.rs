@@ -28,6 +28,8 @@ pub(in super::super) struct Column<'a> {
 pub(super) struct Order {
     pub whole: f64,
     pub part: f64,
+    /// 1 where they do end, 0 where all are summed.
+    pub cut: f64,
 }
 
 /// A stack at some nodes and one angle.
@@ -170,8 +172,8 @@ impl Damped {
         let mut sum = all;
         let last = self.ln_g * Doubles::new(order.whole);
         let is_seen = last.gt(Doubles::new(FAINT));
-        if is_seen.any() {
-            let size = Doubles::select(is_seen, last.exp(), zero);
+        if order.cut > 0.0 && is_seen.any() {
+            let size = Doubles::select(is_seen, last.exp(), zero) * Doubles::new(order.cut);
             let [cos, sin] = ((self.turn + turns) * Doubles::new(order.whole)).circle();
             let part = Doubles::new(order.part);
             let next = Complex::new(one - part - part * gz.re, -(part * gz.im));
