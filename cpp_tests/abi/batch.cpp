@@ -126,7 +126,7 @@ void check_sample(const support::Varying &subject, std::size_t count, const Layo
 }
 
 template <class Check> void for_each_layout(Check check) {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
         for (const std::size_t count : {0, 1, 7, 64, 65})
@@ -151,7 +151,7 @@ TEST_CASE("batch: sample equals the single call bit for bit in every layout") {
 }
 
 TEST_CASE("batch: element stride 0 broadcasts one element to all") {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
         constexpr std::size_t count = 65;
@@ -209,7 +209,7 @@ TEST_CASE("batch: component stride 0 reads one number for all three") {
 }
 
 TEST_CASE("batch: without varying, and for a varying view without data, the created values hold") {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
         const Inputs inputs(subject, 7);
@@ -233,7 +233,7 @@ TEST_CASE("batch: without varying, and for a varying view without data, the crea
 }
 
 TEST_CASE("batch: each output alone is the same as all of them together") {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
         const Inputs inputs(subject, 65);
@@ -275,7 +275,7 @@ TEST_CASE("batch: another number of varying views than declared is refused") {
 }
 
 TEST_CASE("batch: an output may be an input's own memory with the same strides") {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
         Inputs inputs(subject, 65);

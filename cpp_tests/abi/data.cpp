@@ -59,7 +59,7 @@ struct Results {
 
 // Calls visit(subject, inputs) for every model, a few times.
 template <class Visit> void for_each_subject(Visit visit, int times = 8) {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
         std::mt19937 random(1);
@@ -226,7 +226,7 @@ TEST_CASE("data: a bad element of a batch does not disturb its neighbours") {
         float value[3], pdf;
         PellicleSample sample;
     };
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
         std::mt19937 random(2);

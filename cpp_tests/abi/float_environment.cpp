@@ -60,7 +60,7 @@ std::vector<float> results(const pellicle::Bsdf &bsdf, const Inputs &inputs) {
 } // namespace
 
 TEST_CASE("float environment: flush-to-zero and denormals-are-zero change nothing that matters") {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
         for (const Inputs &inputs : random_inputs(subject, 5000)) {
@@ -82,7 +82,7 @@ TEST_CASE("float environment: flush-to-zero and denormals-are-zero change nothin
 }
 
 TEST_CASE("float environment: flush-to-zero and denormals-are-zero do not change the albedo") {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
         for (const Inputs &inputs : random_inputs(subject, 8)) {
@@ -96,7 +96,7 @@ TEST_CASE("float environment: flush-to-zero and denormals-are-zero do not change
 }
 
 TEST_CASE("float environment: a BSDF created under flush-to-zero is the same") {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying plain(model);
         const FloatControl control(_MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON);
@@ -150,7 +150,7 @@ TEST_CASE("float environment: no call changes a control bit of MXCSR") {
     const unsigned rounding_modes[] = {_MM_ROUND_NEAREST, _MM_ROUND_DOWN, _MM_ROUND_UP, _MM_ROUND_TOWARD_ZERO};
     for (const unsigned rounding : rounding_modes)
         for (const unsigned flush : {0u, unsigned{_MM_FLUSH_ZERO_ON} | unsigned{_MM_DENORMALS_ZERO_ON}})
-            for (const support::Model &model : support::models()) {
+            for (const support::Model &model : support::models_with_and_without_film()) {
                 CAPTURE(std::string(model.info.name));
                 const FloatControl control(rounding | flush);
                 const unsigned before = _mm_getcsr() & control_bits;

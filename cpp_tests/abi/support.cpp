@@ -39,13 +39,14 @@ const pellicle::Film &fixed_film() {
 }
 
 pellicle::Film film_for(const Model &model, bool has_thickness) {
-    if (!model.info.needs_film) return {};
+    if (!model.takes_film()) return {};
     return has_thickness ? varying_film() : fixed_film();
 }
 
 pellicle::BsdfBuilder builder(const Model &model) {
     pellicle::BsdfBuilder result(model.info.name);
     result.film(film_for(model, false));
+    if (model.film_param) result.choose(model.film_param, "film");
     return result;
 }
 
@@ -61,7 +62,16 @@ PellicleStatus create_film(const PellicleFilmDesc &desc) {
 
 static bool is_thickness(const PellicleModelParam &param) { return param.name == std::string("thickness_nm"); }
 
-std::vector<Model> models() {
+// That of the parameter whose choice makes the model take a film, or NULL.
+static const char *name_of_film_choice(const Model &model) {
+    for (const PellicleModelParam &param : model.params)
+        for (const char *const *choice = param.choices; *choice; ++choice)
+            if (*choice == std::string("film")) return param.name;
+    return nullptr;
+}
+
+// The models; where a film is not a must, with it if the model can take one.
+static std::vector<Model> models_if(bool with_film) {
     std::vector<Model> result(pellicle_model_count());
     REQUIRE_FALSE(result.empty());
     for (std::size_t model = 0; model < result.size(); ++model) {
@@ -71,7 +81,8 @@ std::vector<Model> models() {
             REQUIRE_EQ(pellicle_model_param(model, param, &result[model].params[param], sizeof(PellicleModelParam)),
                        PELLICLE_OK);
         auto &params = result[model].params;
-        if (!result[model].info.needs_film)
+        if (with_film) result[model].film_param = name_of_film_choice(result[model]);
+        if (!result[model].takes_film())
             params.erase(std::remove_if(params.begin(), params.end(), is_thickness), params.end());
         for (PellicleModelParam &param : params) {
             if (is_thickness(param)) param.max = varying_film_max_nm;
@@ -82,9 +93,20 @@ std::vector<Model> models() {
     return result;
 }
 
+std::vector<Model> models() { return models_if(false); }
+
+std::vector<Model> models_with_and_without_film() {
+    std::vector<Model> result = models();
+    for (Model &model : models_if(true))
+        if (model.film_param) result.push_back(std::move(model));
+    REQUIRE_GT(result.size(), models().size());
+    return result;
+}
+
 Varying::Varying(const Model &model) {
     pellicle::BsdfBuilder builder(model.info.name);
     builder.film(film_for(model, true));
+    if (model.film_param) builder.choose(model.film_param, "film");
     for (const PellicleModelParam &param : model.params) {
         if (!param.can_vary) continue;
         components_.push_back(param.components);

@@ -39,13 +39,20 @@ struct Model {
     // The range of a film's thickness is narrowed to that of varying_film(), that of alpha to what may
     // vary; where a film is not a must, there is none and its thickness is left out.
     std::vector<PellicleModelParam> params;
+    // The parameter whose choice "film" makes the model take a film; NULL: it is left at its default.
+    const char *film_param = nullptr;
+
+    bool takes_film() const { return info.needs_film || film_param; }
 };
 std::vector<Model> models();
 
-// The film for a BSDF, if its model needs one: that with a varying thickness if one is stated.
+// The same, and those that can take a film without needing one a second time, with their film.
+std::vector<Model> models_with_and_without_film();
+
+// The film for a BSDF, if its model takes one: that with a varying thickness if one is stated.
 pellicle::Film film_for(const Model &model, bool has_thickness);
 
-// The model with every parameter at its default.
+// The model with every parameter at its default, but for that which makes it take a film.
 pellicle::BsdfBuilder builder(const Model &model);
 
 // A BSDF in which every parameter that can vary does, in the order of introspection.

@@ -51,7 +51,7 @@ std::size_t bytes_in_use() {
 } // namespace
 
 TEST_CASE("threads: a handle shared by many threads gives what it gives one") {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying varying(model);
         const std::vector<Results> expected = results(varying.bsdf(), varying);
@@ -62,7 +62,7 @@ TEST_CASE("threads: a handle shared by many threads gives what it gives one") {
 }
 
 TEST_CASE("threads: retain, release and create from many threads leave a shared handle usable") {
-    for (const support::Model &model : support::models()) {
+    for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying varying(model);
         const std::vector<Results> expected = results(varying.bsdf(), varying);
