@@ -1,6 +1,7 @@
 #include "gallery.hpp"
 
 #include "chart.hpp"
+#include "environment_chart.hpp"
 #include "progress.hpp"
 #include "render.hpp"
 #include "scenes.hpp"
@@ -24,6 +25,10 @@ constexpr int chartWidth = 500, chartHeight = 250;
 /// Of a chart's work, in pixels of a picture: it goes by unnoticed.
 constexpr double chartWork = 1;
 
+/// Of the spheres that show an environment, and the work of all, in pixels of a picture.
+constexpr int environmentSphereSize = 128;
+constexpr double environmentWork = 4e5;
+
 void list(const std::string &name, std::string caption) {
     for (std::size_t i; (i = caption.find('\n')) != std::string::npos;)
         caption.replace(i, 1, i + 1 < caption.size() ? "; " : "");
@@ -45,6 +50,7 @@ std::vector<T> chosen(const std::vector<T> &all, bool everything, std::vector<st
 
 struct Choice {
     std::vector<Chapter> chapters;
+    std::vector<EnvironmentChart> environments;
     std::vector<Chart> charts;
 };
 
@@ -53,6 +59,7 @@ Choice choose(std::vector<std::string> names) {
     Choice choice;
     for (const Chapter &chapter : chapters())
         choice.chapters.push_back({chapter.columns, chosen(chapter.scenes, everything, names)});
+    choice.environments = chosen(environmentCharts(), everything, names);
     choice.charts = chosen(charts(), everything, names);
     if (!names.empty())
         throw std::runtime_error("there is no scene \"" + names.front() + "\"; --list shows those there are");
@@ -83,6 +90,7 @@ public:
         Progress progress(totalWork());
         std::vector<Section> sections;
         for (const Chapter &chapter : choice_.chapters) sections.push_back(chapterInSection(chapter, progress));
+        sections.push_back(environmentsInSection(progress));
         sections.push_back(chartsInSection(progress));
         writePng(contactSheet(sections), options_.out / "gallery.png");
         return written_;
@@ -97,7 +105,8 @@ private:
     }
 
     double totalWork() const {
-        double work = chartWork * static_cast<double>(choice_.charts.size());
+        double work = chartWork * static_cast<double>(choice_.charts.size()) +
+                      environmentWork * static_cast<double>(choice_.environments.size());
         for (const Chapter &chapter : choice_.chapters) {
             for (const Scene &scene : chapter.scenes) {
                 for (const V2f &extent : scene.views.extents) {
@@ -157,6 +166,25 @@ private:
         return shown;
     }
 
+    Section environmentsInSection(Progress &progress) {
+        Section section{1, 0.5f, {}};
+        if (choice_.environments.empty()) return section;
+        const AlbedoTable albedo(options_.threads);
+        for (const EnvironmentChart &chart : choice_.environments) {
+            progress.label(chart.name);
+            const EnvironmentSpheres spheres =
+                environmentSpheres(chart, albedo, environmentSphereSize, subject_.directory, options_.threads);
+            writeExr(spheres.radiance, options_.out / (chart.name + ".exr"));
+            const OIIO::ImageBuf shown = displaySpheres(spheres, chart.exposure);
+            writePng(shown, options_.out / (chart.name + ".png"));
+            section.aspect = static_cast<float>(shown.spec().height) / static_cast<float>(shown.spec().width);
+            section.cells.push_back({chart.caption, {shown}, {}, {}});
+            progress.advance(environmentWork);
+            ++written_;
+        }
+        return section;
+    }
+
     Section chartsInSection(Progress &progress) {
         Section section{3, 0.5f, {}};
         for (const Chart &chart : choice_.charts) {
@@ -186,6 +214,7 @@ private:
 void listGallery() {
     for (const Chapter &chapter : chapters())
         for (const Scene &scene : chapter.scenes) list(scene.name, scene.caption);
+    for (const EnvironmentChart &chart : environmentCharts()) list(chart.name, chart.caption);
     for (const Chart &chart : charts()) list(chart.name, chart.caption);
 }
 

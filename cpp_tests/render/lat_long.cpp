@@ -6,11 +6,6 @@
 namespace render {
 namespace {
 
-V2f latLongPoint(const V3f &direction) {
-    return {0.5f + std::atan2(direction.x, -direction.z) / (2 * pi),
-            std::acos(std::clamp(direction.y, -1.0f, 1.0f)) / pi};
-}
-
 int clampIndex(float x, int count) { return std::clamp(static_cast<int>(std::floor(x)), 0, count - 1); }
 
 } // namespace
@@ -23,6 +18,11 @@ LatLongMap readLatLongMap(const std::filesystem::path &file) {
 V3f latLongDirection(float u, float cosTheta) {
     const float sinTheta = std::sqrt(std::max(0.0f, 1 - cosTheta * cosTheta)), phi = (u - 0.5f) * 2 * pi;
     return {sinTheta * std::sin(phi), cosTheta, -sinTheta * std::cos(phi)};
+}
+
+V2f latLongPoint(const V3f &direction) {
+    return {0.5f + std::atan2(direction.x, -direction.z) / (2 * pi),
+            std::acos(std::clamp(direction.y, -1.0f, 1.0f)) / pi};
 }
 
 LatLongLight::LatLongLight(LatLongMap map)

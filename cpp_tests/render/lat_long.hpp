@@ -21,6 +21,9 @@ LatLongMap readLatLongMap(const std::filesystem::path &file);
 /// angle to the zenith.
 V3f latLongDirection(float u, float cosTheta);
 
+/// Its inverse: where a direction is, in [0, 1] from the map's left and upper edges.
+V2f latLongPoint(const V3f &direction);
+
 /// A map with the radiance's value at each texel's centre; twice as wide as high.
 template <typename Radiance>
 LatLongMap drawLatLong(int height, const Radiance &radiance) {

@@ -7,19 +7,15 @@
 #include <stdexcept>
 
 namespace render {
-namespace {
 
-/// One for the whole program, which never ends it: its cache is shared.
-std::shared_ptr<OIIO::TextureSystem> sharedSystem() {
+std::shared_ptr<OIIO::TextureSystem> sharedTextureSystem() {
     static const std::shared_ptr<OIIO::TextureSystem> system(
         OIIO::TextureSystem::create(true), [](OIIO::TextureSystem *s) { OIIO::TextureSystem::destroy(s); });
     return system;
 }
 
-} // namespace
-
 Texture::Texture(const std::filesystem::path &file, Encoding encoding)
-    : system_(sharedSystem()) {
+    : system_(sharedTextureSystem()) {
     const auto fail = [&](const std::string &why) {
         throw std::runtime_error("cannot read the texture " + file.string() + ": " + why);
     };

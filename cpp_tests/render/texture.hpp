@@ -10,6 +10,9 @@
 
 namespace render {
 
+/// OpenImageIO's, with its cache. One for the whole program, which never ends it.
+std::shared_ptr<OIIO::TextureSystem> sharedTextureSystem();
+
 /// What an image's numbers mean.
 enum class Encoding {
     sRgb,   ///< colours, decoded before anything is averaged

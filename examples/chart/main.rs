@@ -1,11 +1,13 @@
 //! Time against error of every interference method: writes docs/chart.svg, docs/chart.csv and
-//! docs/chart.md. `./x chart` runs it.
+//! docs/chart.md; with the argument `environment`, docs/environment.svg from docs/environment.csv.
+//! `./x chart` runs both.
 
 mod axis;
 mod batch;
 mod chart;
 mod contest;
 mod entry;
+mod environment;
 mod errors;
 mod front;
 mod labels;
@@ -18,12 +20,15 @@ mod text;
 mod timing;
 
 use std::path::Path;
-use std::{error, fs};
+use std::{env, error, fs};
 
 fn main() -> Result<(), Box<dyn error::Error>> {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    if env::args().nth(1).as_deref() == Some("environment") {
+        return environment::draw(&docs);
+    }
     let stacks = suite::stacks()?;
     let cells = contest::run(&stacks)?;
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     fs::write(docs.join("chart.csv"), report::csv(&cells))?;
     fs::write(docs.join("chart.svg"), chart::svg(&cells)?)?;
     fs::write(docs.join("chart.md"), report::markdown(&cells))?;
