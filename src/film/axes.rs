@@ -102,13 +102,12 @@ impl Axes {
         Coordinates {
             from: self.from as f32,
             numerator: linear(
-                [1.0 + self.scale, self.fade * stretch],
-                [self.half + self.scale * self.least, 0.0],
+                [across * (1.0 + self.scale), self.fade * stretch],
+                [across * (self.half + self.scale * self.least), 0.0],
             ),
             denominator: linear([1.0, self.fade], [self.half, 0.0]),
             rest: linear([self.scale, 0.0], [self.scale * self.least, 1.0]),
-            cosine: [pair(0.0, u), pair(across, 0.0), pair(0.0, v), pair(0.0, w)],
-            unscaled: pair(1.0 / across, 1.0),
+            cosine: [pair(0.0, u), pair(1.0, 0.0), pair(0.0, v), pair(0.0, w)],
         }
     }
 }
@@ -128,10 +127,8 @@ pub(super) struct Coordinates {
     numerator: Linear,
     denominator: Linear,
     rest: Linear,
-    /// The coefficients of cos^0, cos, cos^2 and cos^4 in f, which has x's number of steps as a factor.
+    /// The coefficients of cos^0, cos, cos^2 and cos^4 in f.
     cosine: [Lanes; 4],
-    /// That factor's inverse.
-    unscaled: Lanes,
 }
 
 /// A linear function of the thickness.
@@ -157,7 +154,7 @@ impl Coordinates {
         let square = cosine * cosine;
         let [constant, first, second, fourth] = self.cosine;
         let f = (fourth * square + second) * square + (constant + first * cosine);
-        let divisor = self.denominator.at(d) * (f * self.unscaled) + self.rest.at(d);
+        let divisor = self.denominator.at(d) * f + self.rest.at(d);
         self.numerator.at(d) * f / divisor
     }
 }

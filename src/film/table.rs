@@ -3,13 +3,13 @@
 use super::axes::{Axes, Coordinates};
 use crate::error::Error;
 use crate::math::spline::{controls, weights};
-use crate::math::{Element, Rgb};
+use crate::math::{Element, Entry, Rgb};
 
 /// Three channels in one register.
 pub(super) type Lanes = <f32 as Element>::Rgb;
 
-/// A control point: three channels and a filler, as one register takes them.
-type Control = [f32; 4];
+/// A control point.
+type Control = Entry<f32>;
 
 /// Adding it rounds a number in [0, 2^22] to a whole one, which is then in the lowest bits.
 const WHOLE: f32 = 8_388_608.0;
@@ -88,7 +88,7 @@ impl Table {
             along_x.extend_from_slice(&fitted);
         }
         let mut points = reserve(row * (height + 2))?;
-        points.resize(row * (height + 2), [0.0; 4]);
+        points.resize(row * (height + 2), Control::default());
         let mut column = Vec::new();
         for i in 0..row {
             column.clear();
@@ -131,8 +131,7 @@ impl Table {
 }
 
 fn packed(rgb: Rgb<f64>) -> Control {
-    let [r, g, b] = rgb.map(|channel| channel as f32);
-    [r, g, b, b]
+    Control::new(rgb.map(|channel| channel as f32))
 }
 
 /// [`Error::reserve`]

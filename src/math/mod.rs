@@ -15,7 +15,7 @@ pub(crate) use arctangent::angle_turns;
 pub(crate) use error_function::{erfcx, erfinv};
 pub use lanes::{Doubles, widest};
 pub use real::{Mask, Real};
-pub use rgb::Element;
+pub use rgb::{Element, Entry};
 pub use vector::{Rgb, Vec3};
 
 /// The ratio of a circle's circumference to its diameter, as the formulas use it.

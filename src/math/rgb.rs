@@ -18,16 +18,29 @@ pub trait Element: Real {
     /// Red, green and blue.
     fn channels(rgb: Self::Rgb) -> [Self; 3];
     /// Three entries from each of three rows of a table, the first at `from`, the rows `stride` entries
-    /// apart. An entry is three channels and a filler that must equal one of them.
+    /// apart.
     ///
     /// # Panics
     /// If they are not all in the table.
-    fn load_block(table: &[[Self; 4]], from: usize, stride: usize) -> [[Self::Rgb; 3]; 3];
+    fn load_block(table: &[Entry<Self>], from: usize, stride: usize) -> [[Self::Rgb; 3]; 3];
     /// The entry of a table whose number is the nearest to the whole number `index`; the first for NaN.
     ///
     /// # Panics
     /// If the table is empty.
     fn load_entry<const N: usize>(table: &[[Self; N]], index: Self) -> [Self; N];
+}
+
+/// Three channels and a filler, which must equal one of them: placed as registers take them.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C, align(16))]
+pub struct Entry<T>([T; 4]);
+
+impl<T: Copy> Entry<T> {
+    /// The filler is the last channel.
+    #[inline(always)]
+    pub fn new([r, g, b]: [T; 3]) -> Self {
+        Self([r, g, b, b])
+    }
 }
 
 /// Numbers whose channels have no register to share.
@@ -48,10 +61,10 @@ macro_rules! side_by_side {
                 rgb.0
             }
             #[inline(always)]
-            fn load_block(table: &[[$t; 4]], from: usize, stride: usize) -> [[Triple<$t>; 3]; 3] {
+            fn load_block(table: &[Entry<$t>], from: usize, stride: usize) -> [[Triple<$t>; 3]; 3] {
                 std::array::from_fn(|row| {
                     std::array::from_fn(|entry| {
-                        let [r, g, b, _] = table[from + row * stride + entry];
+                        let [r, g, b, _] = table[from + row * stride + entry].0;
                         Triple([r, g, b])
                     })
                 })

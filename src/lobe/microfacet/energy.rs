@@ -28,7 +28,7 @@ use super::distribution::Normals;
 use super::masking::{Masking, Pair};
 use crate::lobe::precision::Precision;
 use crate::math::spline::{controls, weights};
-use crate::math::{Element, Real, Rgb, Vec3};
+use crate::math::{Element, Entry, Real, Rgb, Vec3};
 
 /// Values along the cosine and, if there is more than one, along alpha.
 const COSINES: usize = 20;
@@ -105,9 +105,9 @@ impl<T: Element> Reflected<T> {
 pub(crate) struct Energy<T> {
     /// Control points by cosine: `whole`, the difference of `grazing`, and fillers. Rows of equal
     /// alpha, one or [`ALPHAS`] + 2.
-    points: Box<[[T; 4]]>,
+    points: Box<[Entry<T>]>,
     /// Control points of the means over the hemisphere, one per row; with one row thrice the same.
-    means: Box<[[T; 4]]>,
+    means: Box<[Entry<T>]>,
     /// Whether there is one row.
     is_fixed: bool,
 }
@@ -125,7 +125,7 @@ impl<T: Precision> Energy<T> {
         let rows = alphas.map(|alpha| row_of(T::new(alpha), &lattice, &lobe));
         let mut energy = Self {
             points: along_alpha(&rows),
-            means: vec![[T::new(0.0); 4]; ALPHAS + 2].into(),
+            means: vec![Entry::new([T::new(0.0); 3]); ALPHAS + 2].into(),
             is_fixed: false,
         };
         let means = alphas.map(|alpha| vec![energy.mean(T::new(alpha))]);
@@ -138,7 +138,7 @@ impl<T: Precision> Energy<T> {
         let row = row_of(alpha, &lattice(), &|_, wo, u| lobe(wo, u));
         let mut energy = Self {
             points: row.into_iter().map(packed).collect(),
-            means: [[T::new(0.0); 4]; 3].into(),
+            means: [Entry::new([T::new(0.0); 3]); 3].into(),
             is_fixed: true,
         };
         let mean = packed(energy.mean(alpha));
@@ -234,8 +234,8 @@ fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
     a * u + b * v + c * w
 }
 
-fn packed<T: Real>([whole, difference, _]: Rgb<f64>) -> [T; 4] {
-    [whole, difference, difference, difference].map(T::new)
+fn packed<T: Real>([whole, difference, _]: Rgb<f64>) -> Entry<T> {
+    Entry::new([whole, difference, difference].map(T::new))
 }
 
 /// Two uniform numbers and their weight, for the mean over the lobe's random numbers: the azimuth
@@ -283,9 +283,9 @@ fn row_of<T: Precision>(
 }
 
 /// The control points along alpha of every column of [`ALPHAS`] rows.
-fn along_alpha<T: Real>(rows: &[Vec<Rgb<f64>>; ALPHAS]) -> Box<[[T; 4]]> {
+fn along_alpha<T: Real>(rows: &[Vec<Rgb<f64>>; ALPHAS]) -> Box<[Entry<T>]> {
     let width = rows[0].len();
-    let mut points = vec![[T::new(0.0); 4]; (ALPHAS + 2) * width];
+    let mut points = vec![Entry::new([T::new(0.0); 3]); (ALPHAS + 2) * width];
     let mut fitted = Vec::new();
     for column in 0..width {
         let values: Vec<Rgb<f64>> = rows.iter().map(|row| row[column]).collect();

@@ -4,7 +4,7 @@
 #![allow(unsafe_code)]
 
 use super::super::elementary::{self, Single, elementary_methods};
-use super::super::{Element, Mask, Real};
+use super::super::{Element, Entry, Mask, Real};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -43,7 +43,7 @@ impl Element for f32 {
         [lane(rgb.0), lane(green), lane(blue)]
     }
     #[inline(always)]
-    fn load_block(table: &[[f32; 4]], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
+    fn load_block(table: &[Entry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
         // No sum overflows, as a slice's bytes are at most isize::MAX.
         if stride >= table.len() || from >= table.len() || from + 2 * stride + 2 >= table.len() {
             outside();
@@ -51,8 +51,8 @@ impl Element for f32 {
         let start = table.as_ptr();
         std::array::from_fn(|row| {
             std::array::from_fn(|entry| {
-                // SAFETY: at most from + 2 stride + 2, which is in the table; any alignment will do.
-                RgbLanes(unsafe { _mm_loadu_ps(start.add(from + row * stride + entry).cast()) })
+                // SAFETY: at most from + 2 stride + 2, which is in the table; entries are aligned.
+                RgbLanes(unsafe { _mm_load_ps(start.add(from + row * stride + entry).cast()) })
             })
         })
     }
