@@ -22,7 +22,7 @@
  * be negative). Directions within 1e-3 of unit length are accepted as they are; any other direction,
  * NaN and infinity give 0 for that element and leave its neighbours alone. A varying parameter's
  * finite value outside its declared range is clamped to it; NaN or infinity there gives 0 for that
- * element. In the calls of a film, cosines are clamped to [1e-8, 1] and thicknesses to the declared
+ * element. In the calls of a film, cosines are clamped to [1e-9, 1] and thicknesses to the declared
  * range, infinities too, and NaN gives 0. Nothing else is clamped.
  *
  * Pointers and counts can fail. Every function checks every pointer for NULL. On failure a status
@@ -593,7 +593,7 @@ PellicleStatus pellicle_film_plan(const struct PellicleFilm *film,
 
 // Reflectance of unpolarised light from the ambient's side, RGB, into `rgb` (3 numbers).
 //
-// `cos_theta`: cosine of incidence in the ambient medium, clamped to [1e-8, 1]. `thickness_nm`: of the
+// `cos_theta`: cosine of incidence in the ambient medium, clamped to [1e-9, 1]. `thickness_nm`: of the
 // layer that varies, clamped to its range, infinities too; if none varies, any number. NaN in either
 // gives 0.
 //

@@ -148,7 +148,7 @@ struct FilmColors {
 
 // An owning handle of a compiled film; as Bsdf, it is shared by its copies and by threads.
 //
-// `cos_theta` is the cosine of incidence, clamped to [1e-8, 1]; `thickness_nm` that of the layer that
+// `cos_theta` is the cosine of incidence, clamped to [1e-9, 1]; `thickness_nm` that of the layer that
 // varies, clamped to its range, and of no consequence if none does. NaN gives 0.
 class Film {
 public:

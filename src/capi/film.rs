@@ -105,7 +105,7 @@ pub unsafe extern "C" fn pellicle_film_plan(
 
 /// Reflectance of unpolarised light from the ambient's side, RGB, into `rgb` (3 numbers).
 ///
-/// `cos_theta`: cosine of incidence in the ambient medium, clamped to [1e-8, 1]. `thickness_nm`: of the
+/// `cos_theta`: cosine of incidence in the ambient medium, clamped to [1e-9, 1]. `thickness_nm`: of the
 /// layer that varies, clamped to its range, infinities too; if none varies, any number. NaN in either
 /// gives 0.
 ///

@@ -69,7 +69,7 @@ impl Colors {
 }
 
 /// Cosines below this are taken for it. At 0 a film mirrors however thin it is, and nothing does not.
-const LEAST_COSINE: f32 = 1e-8;
+const LEAST_COSINE: f32 = 1e-9;
 
 impl Film {
     /// Validates a description and compiles it.

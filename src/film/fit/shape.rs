@@ -15,7 +15,7 @@ const ALONG_THICKNESS: usize = 160;
 const SCALES: [f64; 8] = [0.03, 0.07, 0.15, 0.3, 0.5, 1.0, 2.0, 1e3];
 const HALVES_NM: [f64; 4] = [0.0, 30.0, 100.0, 300.0];
 /// Far below [`LEAST_NM`], but more than 0, which would make gamma vanish.
-const VANISHING_NM: f64 = 1e-6 * LEAST_NM;
+const VANISHING_NM: f64 = 1e-7 * LEAST_NM;
 const FADES: [f64; 8] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0];
 
 /// Values along a line, and how densely a spline must be set there: values per unit of the line's own
