@@ -232,22 +232,42 @@ fn every_value_is_finite() {
     }
 }
 
-/// Between like media a film of no thickness is nothing, along the surface too, where every film mirrors.
+/// Between like media a film of no thickness is nothing, along the surface too, where every film mirrors,
+/// the thinnest one that absorbs as well; from both sides.
 #[test]
-fn nothing_between_like_media_reflects_nothing() {
+fn between_like_media_films_mirror_along_the_surface_and_no_film_is_nothing() {
     let glass = constant(1.8216633, 0.0);
     let between = FilmDescription {
         ambient: constant(1.2629267, 0.0),
         ..bare(constant(1.2629267, 0.0)).layer(glass, [0.0, 3000.0])
     };
+    let two_sided = FilmDescription {
+        transmittance: true,
+        ..between.clone()
+    };
     let absorbing = bare(constant(1.0, 0.0)).layer(constant(2.2242265, 0.6072897), [0.0, 248.6]);
-    for description in [between, absorbing, soap()] {
+    let exact = FilmDescription {
+        tolerance: 2e-4,
+        ..absorbing.clone()
+    };
+    for description in [between, two_sided, absorbing, exact, soap()] {
         let film = Film::new(&description).unwrap();
-        for c in [0.0, 1e-6, 1e-3, 0.1, 1.0] {
-            for (thickness, expected) in [(0.0, 0.0), (100.0, film.reference(c, 100.0)[1])] {
-                let found = f64::from(film.reflectance(c as f32, thickness)[1]);
-                let error = (found - expected).abs();
-                assert!(error <= film.plan().tolerance, "{c} {thickness}: {found}");
+        let sides = if description.transmittance { 2 } else { 1 };
+        for side in [Side::Ambient, Side::Base].into_iter().take(sides) {
+            for c in [0.0, 1e-6, 1e-3, 0.1, 1.0] {
+                let expected = |thickness| film.reference(c, thickness)[1];
+                for (thickness, expected) in [
+                    (0.0, 0.0),
+                    (0.0016, expected(f64::from(0.0016f32))),
+                    (100.0, expected(100.0)),
+                ] {
+                    let found = match description.transmittance {
+                        true => film.colors(side, c as f32, thickness).unwrap().reflectance,
+                        false => film.reflectance(c as f32, thickness),
+                    };
+                    let error = (f64::from(found[1]) - expected).abs();
+                    assert!(error <= film.plan().tolerance, "{c} {thickness}: {found:?}");
+                }
             }
         }
     }

@@ -146,7 +146,7 @@ impl Sheets {
             if side == rarer {
                 c
             } else {
-                (1.0 - (1.0 - c * c) / ratio).sqrt()
+                ((ratio - 1.0) + c * c).sqrt() / ratio.sqrt()
             }
         };
         let absorbs = description
@@ -239,7 +239,8 @@ impl Sheets {
         if side == self.rarer {
             return Zone::Below(c);
         }
-        let rare_squared = 1.0 - self.ratio * (1.0 - c * c);
+        // Keeps the digits of a small cosine between like media.
+        let rare_squared = (1.0 - self.ratio) + self.ratio * c * c;
         if rare_squared >= 0.0 {
             return Zone::Below(rare_squared.sqrt());
         }
