@@ -125,8 +125,9 @@ fn grown(
         if held.is_some() {
             break;
         }
-        // Whichever coordinate is to blame; the sum of both is what was found.
-        let share = max / (across + along).max(f64::MIN_POSITIVE);
+        // Whichever coordinate is to blame: what is found is taken for the error of the worse one, and the
+        // other's is in proportion.
+        let share = max / across.max(along).max(f64::MIN_POSITIVE);
         let larger = [(width, across), (height, along)].map(|(count, error)| {
             if error * share > 0.3 * allowed {
                 enlarged(count, error * share, &limits)
