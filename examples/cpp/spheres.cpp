@@ -8,22 +8,15 @@
 #include <Imath/ImathVec.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
-#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/parallel.h>
 #include <pellicle.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <future>
 #include <iostream>
-#include <memory>
 #include <random>
-#include <stdexcept>
 #include <string>
-#include <thread>
-#include <vector>
 
 using Imath::C3f;
 using Imath::V3f;
@@ -101,7 +94,7 @@ C3f pixel(const pellicle::Bsdf &bsdf, int x, int y, std::mt19937 &random) {
         const float right = 2 * (float(x) + uniform(random)) / size - 1;
         const float up = 1 - 2 * (float(y) + uniform(random)) / size;
         const V3f direction = V3f(right * halfView, up * halfView, -eyeDistance).normalized();
-        for (std::size_t k = 0; k < 3; ++k) u[k] = std::fmod(u[k] + steps[k], 1.0f);
+        for (unsigned k = 0; k < 3; ++k) u[k] = std::fmod(u[k] + steps[k], 1.0f);
         sum += radiance(bsdf, {0, 0, eyeDistance}, direction, u, random);
     }
     const C3f mean = sum / samplesPerPixel;
@@ -111,50 +104,23 @@ C3f pixel(const pellicle::Bsdf &bsdf, int x, int y, std::mt19937 &random) {
     return mean * ((1 + luminance / (white * white)) / (1 + luminance));
 }
 
-void render(const std::string &file) {
+int main(int argc, char **argv) try {
+    const std::string file = argc > 1 ? argv[1] : "spheres.png";
     const pellicle::Bsdf bsdf = pellicle::BsdfBuilder("metallic_roughness")
                                     .set("base_color", {0.72f, 0.2f, 0.07f})
                                     .vary("roughness", 0, 1)
                                     .vary("metallic", 0, 1)
                                     .create();
-
-    // Opened before rendering: nobody waits for a picture that cannot be written.
     OIIO::ImageBuf image(OIIO::ImageSpec(size, size, 3, OIIO::TypeFloat));
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(file);
-    if (!output) throw std::runtime_error("cannot write " + file + ": " + OIIO::geterror());
-    if (!output->open(file, OIIO::ImageSpec(size, size, 3, OIIO::TypeUInt8)))
-        throw std::runtime_error("cannot write " + file + ": " + output->geterror());
-
-    // Threads share the BSDF. get() passes on what a thread threw.
-    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    std::vector<std::future<void>> parts;
-    for (int part = 0; part < threads; ++part) {
-        parts.push_back(std::async(std::launch::async, [&, part] {
-            for (int y = part; y < size; y += threads) {
-                std::mt19937 random(static_cast<std::uint32_t>(y)); // the same picture with any number of threads
-                for (int x = 0; x < size; ++x) {
-                    const C3f color = pixel(bsdf, x, y, random);
-                    image.setpixel(x, y, color.getValue());
-                }
-            }
-        }));
-    }
-    for (std::future<void> &part : parts) part.get();
-
-    if (!OIIO::ImageBufAlgo::colorconvert(image, image, "linear", "sRGB") || !image.write(output.get()))
-        throw std::runtime_error("cannot write " + file + ": " + image.geterror());
-    if (!output->close()) throw std::runtime_error("cannot write " + file + ": " + output->geterror());
-}
-
-int main(int argc, char **argv) {
-    try {
-        if (argc > 2) throw std::runtime_error("usage: spheres [picture]");
-        render(argc == 2 ? argv[1] : "spheres.png");
-    } catch (const pellicle::Error &error) {
-        std::cerr << pellicle_status_string(error.status()) << ": " << error.what() << '\n';
-        return 1;
-    } catch (const std::exception &error) {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
+    OIIO::parallel_for(0, size, [&](int y) { // threads share the BSDF
+        std::mt19937 random(static_cast<unsigned>(y)); // the same picture with any number of threads
+        for (int x = 0; x < size; ++x) image.setpixel(x, y, pixel(bsdf, x, y, random).getValue());
+    });
+    if (OIIO::ImageBufAlgo::colorconvert(image, image, "linear", "sRGB") && image.write(file, OIIO::TypeUInt8))
+        return 0;
+    std::cerr << "cannot write " << file << ": " << (image.has_error() ? image.geterror() : OIIO::geterror()) << '\n';
+    return 1;
+} catch (const pellicle::Error &error) {
+    std::cerr << pellicle_status_string(error.status()) << ": " << error.what() << '\n';
+    return 1;
 }
