@@ -132,7 +132,7 @@ mod tests {
         errors
     }
 
-    /// Walter et al. 2007, eq. 33, and Heitz 2014, eq. 72; Beckmann's distribution, eq. 61 there.
+    /// Walter et al. 2007, eq. 33, and Heitz 2014, eq. 72; Beckmann's distribution, section 5 there.
     #[test]
     fn is_the_closed_form_of_ggx_and_beckmann() {
         for alpha in [1e-4, 1e-3, 1e-2, 0.1, 0.3, 0.6, 1.0] {
