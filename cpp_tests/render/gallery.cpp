@@ -166,6 +166,16 @@ private:
         return shown;
     }
 
+    /// Writes a chart and puts it on the sheet.
+    void add(Section &section, const std::string &name, const std::string &caption, const OIIO::ImageBuf &linear,
+             const OIIO::ImageBuf &shown) {
+        writeExr(linear, options_.out / (name + ".exr"));
+        writePng(shown, options_.out / (name + ".png"));
+        section.aspect = static_cast<float>(shown.spec().height) / static_cast<float>(shown.spec().width);
+        section.cells.push_back({caption, {shown}, {}, {}});
+        ++written_;
+    }
+
     Section environmentsInSection(Progress &progress) {
         Section section{1, 0.5f, {}};
         if (choice_.environments.empty()) return section;
@@ -174,13 +184,8 @@ private:
             progress.label(chart.name);
             const EnvironmentSpheres spheres =
                 environmentSpheres(chart, albedo, environmentSphereSize, subject_.directory, options_.threads);
-            writeExr(spheres.radiance, options_.out / (chart.name + ".exr"));
-            const OIIO::ImageBuf shown = displaySpheres(spheres, chart.exposure);
-            writePng(shown, options_.out / (chart.name + ".png"));
-            section.aspect = static_cast<float>(shown.spec().height) / static_cast<float>(shown.spec().width);
-            section.cells.push_back({chart.caption, {shown}, {}, {}});
+            add(section, chart.name, chart.caption, spheres.radiance, displaySpheres(spheres, chart.exposure));
             progress.advance(environmentWork);
-            ++written_;
         }
         return section;
     }
@@ -190,13 +195,8 @@ private:
         for (const Chart &chart : choice_.charts) {
             progress.label(chart.name);
             const OIIO::ImageBuf linear = reflectanceChart(chart.stack, chartWidth, chartHeight);
-            writeExr(linear, options_.out / (chart.name + ".exr"));
-            const OIIO::ImageBuf shown = displayChart(linear, chart.exposure);
-            writePng(shown, options_.out / (chart.name + ".png"));
-            section.aspect = static_cast<float>(shown.spec().height) / static_cast<float>(shown.spec().width);
-            section.cells.push_back({chart.caption, {shown}, {}, {}});
+            add(section, chart.name, chart.caption, linear, displayChart(linear, chart.exposure));
             progress.advance(chartWork);
-            ++written_;
         }
         return section;
     }

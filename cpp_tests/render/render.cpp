@@ -1,15 +1,13 @@
 #include "render.hpp"
 
+#include "parallel.hpp"
+
 #if defined(__SSE2__)
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 #endif
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 namespace render {
 namespace {
@@ -45,28 +43,14 @@ public:
     }
 
     Picture run() {
-        const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-        std::vector<std::thread> threads(settings_.threads > 0 ? settings_.threads : cores);
-        for (std::thread &thread : threads) thread = std::thread([this] { work(); });
-        for (std::thread &thread : threads) thread.join();
-        if (failure_) std::rethrow_exception(failure_);
+        parallelFor(tiles_, settings_.threads, [this](int tile) { renderTile(tile); });
         return std::move(picture_);
     }
 
 private:
-    /// Takes tiles until there are none left.
-    void work() {
-        try {
-            flushDenormals();
-            for (int tile; (tile = nextTile_++) < tiles_;) renderTile(tile);
-        } catch (...) {
-            const std::lock_guard lock(failureMutex_);
-            failure_ = std::current_exception();
-            nextTile_ = tiles_;
-        }
-    }
 
     void renderTile(int tile) {
+        flushDenormals();
         const V2i first(tile % columns_ * tileSize, tile / columns_ * tileSize);
         const V2i end(std::min(first.x + tileSize, settings_.width),
                       std::min(first.y + tileSize, settings_.height));
@@ -102,9 +86,6 @@ private:
     const std::function<void(int)> &pixelsDone_;
     const int columns_, tiles_;
     Picture picture_;
-    std::atomic<int> nextTile_{0};
-    std::exception_ptr failure_;
-    std::mutex failureMutex_;
 };
 
 } // namespace

@@ -215,14 +215,6 @@ fn in_precision<T: Real>(rgb: Rgb<f32>) -> Rgb<T> {
 }
 
 impl<T: Precision> Kernel<T> for Prepared<T> {
-    fn eval(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> Rgb<T> {
-        [T::new(0.0); 3]
-    }
-
-    fn eval_pdf(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> (Rgb<T>, T) {
-        ([T::new(0.0); 3], T::new(0.0))
-    }
-
     fn lobes(
         &self,
         overrides: &[Override<T>],

@@ -130,6 +130,11 @@ impl LobeInfo {
         name: c"diffuse",
         flags: Flags::REFLECTION.with(Flags::DIFFUSE),
     };
+    /// A highlight.
+    pub const SPECULAR: Self = Self {
+        name: c"specular",
+        flags: Flags::REFLECTION.with(Flags::GLOSSY),
+    };
 }
 
 /// A parameter.
@@ -164,27 +169,31 @@ impl ParamInfo {
     pub const fn number(
         name: &'static CStr,
         summary: &'static CStr,
-        [min, max]: [f32; 2],
+        range: [f32; 2],
         default: f32,
     ) -> Self {
-        let kind = ParamKind::Number {
-            components: 1,
-            min,
-            max,
-            default,
-        };
-        Self::new(name, summary, kind)
+        Self::numbers(name, summary, 1, range, default)
     }
 
     /// A number per colour channel that may vary.
     pub const fn rgb(
         name: &'static CStr,
         summary: &'static CStr,
+        range: [f32; 2],
+        default: f32,
+    ) -> Self {
+        Self::numbers(name, summary, 3, range, default)
+    }
+
+    const fn numbers(
+        name: &'static CStr,
+        summary: &'static CStr,
+        components: usize,
         [min, max]: [f32; 2],
         default: f32,
     ) -> Self {
         let kind = ParamKind::Number {
-            components: 3,
+            components,
             min,
             max,
             default,

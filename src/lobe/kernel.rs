@@ -33,10 +33,14 @@ pub struct Direction<T> {
 /// Every direction passed in is valid and has z > 0, or for a BSDF with TRANSMISSION z != 0; the
 /// caller has seen to it.
 pub trait Kernel<T: Precision>: Send + Sync {
-    /// f(wo, wi) |wi.z|.
-    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T>;
-    /// Value and density.
-    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T);
+    /// f(wo, wi) |wi.z|; 0 unless a lobe has a density.
+    fn eval(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> Rgb<T> {
+        [T::new(0.0); 3]
+    }
+    /// Value and density; 0 unless a lobe has a density.
+    fn eval_pdf(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> (Rgb<T>, T) {
+        ([T::new(0.0); 3], T::new(0.0))
+    }
     /// Probability and density of each lobe.
     fn lobes(
         &self,

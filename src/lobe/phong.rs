@@ -16,7 +16,7 @@
 //! directional albedo (`Bsdf::albedo`, `pellicle_bsdf_albedo`, for preparation as it integrates). A
 //! renderer that computes light between surfaces has that light already and leaves the term out.
 
-use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
+use super::info::{LobeInfo, ModelInfo, ParamInfo};
 use super::mixture::Mixture;
 use super::power_lobe::{
     conserving_normalization, estimated_integral, mean, power_of_cosine, sample_about,
@@ -62,13 +62,7 @@ impl Model for Phong {
                 50.0,
             ),
         ],
-        lobes: &[
-            LobeInfo::DIFFUSE,
-            LobeInfo {
-                name: c"specular",
-                flags: Flags::REFLECTION.with(Flags::GLOSSY),
-            },
-        ],
+        lobes: &[LobeInfo::DIFFUSE, LobeInfo::SPECULAR],
         ..ModelInfo::PLAIN
     };
 

@@ -45,6 +45,13 @@ impl ErrorAxis {
     }
 }
 
+/// A line of the grid.
+fn upright(area: &Area, frame: Rect, x: i32) -> Result<(), Failure> {
+    let ends = vec![(x, frame.top), (x, frame.top + frame.height)];
+    area.draw(&PathElement::new(ends, GRID))?;
+    Ok(())
+}
+
 /// Every series' error over the roughness, and the truth's.
 pub fn by_roughness(
     area: &Area,
@@ -61,8 +68,7 @@ pub fn by_roughness(
     let bottom = frame.top + frame.height;
     let below = style(FONT, INK, HPos::Center, VPos::Top);
     for roughness in (1..=10).map(|i| f64::from(i) / 10.0) {
-        let line = vec![(x(roughness), frame.top), (x(roughness), bottom)];
-        area.draw(&PathElement::new(line, GRID))?;
+        upright(area, frame, x(roughness))?;
         area.draw_text(&written(roughness), &below, (x(roughness), bottom + 5))?;
     }
     errors.draw(area, frame)?;
@@ -101,7 +107,7 @@ pub fn by_time(
     };
     let bottom = frame.top + frame.height;
     for x in times.lines().into_iter().map(|v| times.at(v)) {
-        area.draw(&PathElement::new(vec![(x, frame.top), (x, bottom)], GRID))?;
+        upright(area, frame, x)?;
     }
     let below = style(FONT, INK, HPos::Center, VPos::Top);
     for (ns, label) in [(1e3, "1 us"), (1e4, "10 us"), (1e5, "100 us")] {

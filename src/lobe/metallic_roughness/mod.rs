@@ -33,7 +33,7 @@
 
 mod surface;
 
-use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
+use super::info::{LobeInfo, ModelInfo, ParamInfo};
 use super::mixture::PerCall;
 use super::precision::Precision;
 use super::scattering::{Compiled, Model};
@@ -77,13 +77,7 @@ impl Model for MetallicRoughness {
             ParamInfo::choice(c"diffuse", c"Form of the diffuse part.", &[c"lambert", c"oren_nayar", c"disney"]),
             ParamInfo::number(c"diffuse_roughness", c"Of the diffuse part: oren_nayar's sigma in radians, or disney's roughness.", [0.0, 1.0], 0.0),
         ],
-        lobes: &[
-            LobeInfo::DIFFUSE,
-            LobeInfo {
-                name: c"specular",
-                flags: Flags::REFLECTION.with(Flags::GLOSSY),
-            },
-        ],
+        lobes: &[LobeInfo::DIFFUSE, LobeInfo::SPECULAR],
         ..ModelInfo::PLAIN
     };
 

@@ -1,6 +1,6 @@
 //! The distribution of Beckmann and Spizzichino 1963: normally distributed slopes.
 
-use super::distribution::Normals;
+use super::distribution::{Normals, stretched};
 use crate::math::{Element, Mask, PI, Real, Vec3, erfcx, erfinv};
 
 /// Beckmann with a roughness along each axis: the slopes have the variances alpha^2 / 2.
@@ -17,21 +17,6 @@ const GREATEST_STEPS: usize = 40;
 /// Convergence is quadratic: after a step this small the error is of the order of its square.
 const LAST_STEP: f64 = 1e-4;
 const INVERSE_SQRT_PI: f64 = 0.564_189_583_547_756_3;
-
-impl<T: Element> Beckmann<T> {
-    /// The direction after the transformation that makes the distribution one of alpha = 1, not
-    /// normalised.
-    #[inline(always)]
-    fn stretched(&self, w: Vec3<T>) -> Vec3<T> {
-        Vec3::new(w.x * self.alpha[0], w.y * self.alpha[1], w.z)
-    }
-
-    /// The density of visible normals over <wo, h>, G1 D / wo.z.
-    #[inline(always)]
-    fn visible(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) / (wo.z + self.averted_area(wo))
-    }
-}
 
 /// The complementary error function of x >= 0 over 2, given e^(-x^2).
 #[inline(always)]
@@ -106,7 +91,7 @@ impl<T: Element> Normals<T> for Beckmann<T> {
     /// s e^(-a^2) (1 / sqrt(pi) - a erfcx(a)) / 2. Beyond a = 6 it is below 1e-16 of w.z.
     #[inline(always)]
     fn averted_area(&self, w: Vec3<T>) -> T {
-        let stretched = self.stretched(w);
+        let stretched = stretched(w, self.alpha);
         let sine = (stretched.x.squared() + stretched.y.squared()).sqrt();
         let is_bounded = w.z.lt(sine * T::new(6.0));
         let a = T::select(is_bounded, w.z, T::new(0.0)) / T::select(is_bounded, sine, T::new(1.0));
@@ -121,7 +106,7 @@ impl<T: Element> Normals<T> for Beckmann<T> {
     #[inline(always)]
     fn sample(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
         let one = T::new(1.0);
-        let view = self.stretched(wo).normalized();
+        let view = stretched(wo, self.alpha).normalized();
         let sine = (view.x.squared() + view.y.squared()).sqrt();
         let is_above = sine.equals(T::new(0.0));
         let divisor = T::select(is_above, one, sine);

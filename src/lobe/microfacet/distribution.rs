@@ -30,6 +30,12 @@ pub(crate) trait Normals<T: Element>: Copy {
     /// The density of [`Normals::sample`], per steradian of h.
     fn sample_density(&self, wo: Vec3<T>, h: Vec3<T>) -> T;
 
+    /// The density of visible normals over <wo, h>: G1 D / wo.z.
+    #[inline(always)]
+    fn visible(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
+        self.density(h) / (wo.z + self.averted_area(wo))
+    }
+
     /// The density of wi, the mirror image of wo about a sampled h, per steradian of wi:
     /// [`Normals::sample_density`] over 4 <wo, h> (Walter et al. 2007, eq. 14), whose inverse is held
     /// at [`GREATEST`].
@@ -37,6 +43,13 @@ pub(crate) trait Normals<T: Element>: Copy {
     fn reflected_density(&self, wo: Vec3<T>, h: Vec3<T>, wo_dot_h: T) -> T {
         self.sample_density(wo, h) * (T::new(0.25) / wo_dot_h).min(T::new(GREATEST))
     }
+}
+
+/// The direction after the transformation that makes a distribution of roughness `alpha` along X and Y one
+/// of alpha = 1, not normalised.
+#[inline(always)]
+pub(super) fn stretched<T: Element>(w: Vec3<T>, alpha: [T; 2]) -> Vec3<T> {
+    Vec3::new(w.x * alpha[0], w.y * alpha[1], w.z)
 }
 
 /// One of the distributions.

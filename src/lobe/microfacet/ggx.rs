@@ -1,7 +1,7 @@
 //! The distribution of Trowbridge and Reitz 1975, called GGX since Walter et al. 2007: the slopes of
 //! an ellipsoid's surface, with long tails.
 
-use super::distribution::Normals;
+use super::distribution::{Normals, stretched};
 use crate::math::{Element, PI, Vec3};
 
 /// GGX with a roughness along each axis.
@@ -16,18 +16,6 @@ impl<T: Element> Ggx<T> {
     #[inline(always)]
     pub fn isotropic(alpha: T) -> Self {
         Self { alpha: [alpha; 2] }
-    }
-
-    /// The length of w after the transformation that makes the distribution one of alpha = 1.
-    #[inline(always)]
-    fn stretched(&self, w: Vec3<T>) -> Vec3<T> {
-        Vec3::new(w.x * self.alpha[0], w.y * self.alpha[1], w.z)
-    }
-
-    /// The density of visible normals over <wo, h>, G1 D / wo.z = 2 D / (wo.z + |stretched wo|).
-    #[inline(always)]
-    fn visible(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) / (wo.z + self.averted_area(wo))
     }
 }
 
@@ -46,7 +34,7 @@ impl<T: Element> Normals<T> for Ggx<T> {
     /// half the difference of two lengths, written without cancellation.
     #[inline(always)]
     fn averted_area(&self, w: Vec3<T>) -> T {
-        let stretched = self.stretched(w);
+        let stretched = stretched(w, self.alpha);
         let across = stretched.x.squared() + stretched.y.squared();
         let length = (across + w.z.squared()).sqrt();
         T::new(0.5) * across / (length + w.z)
@@ -57,7 +45,7 @@ impl<T: Element> Normals<T> for Ggx<T> {
     #[inline(always)]
     fn sample(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
         let one = T::new(1.0);
-        let view = self.stretched(wo).normalized();
+        let view = stretched(wo, self.alpha).normalized();
         let top = one + view.z;
         // z of the point on the cap is this less view.z; so the sine's square is (1 - z)(1 + z).
         let height = (one - u[1]) * top;

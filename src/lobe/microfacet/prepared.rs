@@ -20,14 +20,6 @@ pub(super) struct Mirror<T: Element> {
 }
 
 impl<T: Precision> Kernel<T> for Mirror<T> {
-    fn eval(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> Rgb<T> {
-        [T::new(0.0); 3]
-    }
-
-    fn eval_pdf(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> (Rgb<T>, T) {
-        ([T::new(0.0); 3], T::new(0.0))
-    }
-
     fn lobes(
         &self,
         _overrides: &[Override<T>],
