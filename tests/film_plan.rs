@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::films::{constant, medium};
+use common::films::{bare, constant, medium, soap};
 use common::rng;
 use pellicle::Status;
 use pellicle::film::{Film, FilmDescription, LEAST_TOLERANCE};
@@ -36,10 +36,6 @@ const STACKS: [(f64, f64, f64); 6] = [
     (2.4, 2.9, 3.1),
 ];
 
-fn bare(base: Medium) -> FilmDescription {
-    FilmDescription::new(base)
-}
-
 fn stack((film, base, k): (f64, f64, f64), thickness_nm: [f64; 2]) -> FilmDescription {
     bare(constant(base, k)).layer(constant(film, 0.0), thickness_nm)
 }
@@ -47,10 +43,6 @@ fn stack((film, base, k): (f64, f64, f64), thickness_nm: [f64; 2]) -> FilmDescri
 /// Magnesium fluoride on glass.
 fn lens() -> FilmDescription {
     stack(STACKS[2], [0.0, 1000.0])
-}
-
-fn soap() -> FilmDescription {
-    stack(STACKS[0], [0.0, 1000.0])
 }
 
 fn with(method: &str, tolerance: f64, description: &FilmDescription) -> FilmDescription {

@@ -1,6 +1,7 @@
 //! Films to try models with, each compiled once per program.
 
 use pellicle::film::{Film, FilmDescription};
+use pellicle::math::Rgb;
 use pellicle::optics::Medium;
 use std::sync::{Arc, OnceLock};
 
@@ -17,11 +18,56 @@ pub fn compiled(description: &FilmDescription) -> Arc<Film> {
     Arc::new(Film::new(description).unwrap())
 }
 
-fn transmitting(base: Medium) -> FilmDescription {
+/// No layers yet.
+pub fn bare(base: Medium) -> FilmDescription {
+    FilmDescription::new(base)
+}
+
+/// Water between vacuum and vacuum.
+pub fn soap() -> FilmDescription {
+    bare(constant(1.0, 0.0)).layer(constant(1.33, 0.0), [0.0, 1000.0])
+}
+
+/// The inner face of a prism.
+pub fn prism() -> FilmDescription {
+    FilmDescription {
+        ambient: constant(1.5, 0.0),
+        ..bare(Medium::vacuum()).layer(constant(1.38, 0.0), [0.0, 400.0])
+    }
+}
+
+/// Absorbing glass on glass: the sides differ.
+pub fn tinted() -> FilmDescription {
+    let base = bare(constant(1.5, 0.0));
+    base.layer(constant(1.8, 0.1), [0.0, 500.0])
+}
+
+/// With its transmittance, and from its base's side.
+pub fn two_sided(description: FilmDescription) -> FilmDescription {
     FilmDescription {
         transmittance: true,
-        ..FilmDescription::new(base)
+        ..description
     }
+}
+
+/// Of the thickness that varies, nm; 0 if none does.
+pub fn range(film: &Film) -> [f32; 2] {
+    film.varying_thickness_nm()
+        .unwrap_or([0.0; 2])
+        .map(|d| d as f32)
+}
+
+/// The greatest difference of a channel.
+pub fn difference(a: Rgb<f32>, b: Rgb<f32>) -> f64 {
+    let pairs = a.into_iter().zip(b);
+    pairs
+        .map(|(a, b)| (f64::from(a) - f64::from(b)).abs())
+        .fold(0.0, f64::max)
+}
+
+/// As a film returns it.
+pub fn rounded(rgb: Rgb<f64>) -> Rgb<f32> {
+    rgb.map(|x| x.clamp(0.0, 1.0) as f32)
 }
 
 /// What the films are good for.
@@ -62,18 +108,20 @@ impl Kind {
 
     pub fn description(self) -> FilmDescription {
         match self {
-            Self::Lens => transmitting(constant(1.5, 0.0)).layer(constant(1.38, 0.0), [0.0, 600.0]),
-            Self::Metal => transmitting(medium("Au")).layer(constant(1.38, 0.0), [300.0; 2]),
-            Self::Bubble => transmitting(Medium::vacuum()).layer(medium("water"), [50.0, 900.0]),
+            Self::Lens => {
+                two_sided(bare(constant(1.5, 0.0))).layer(constant(1.38, 0.0), [0.0, 600.0])
+            }
+            Self::Metal => two_sided(bare(medium("Au"))).layer(constant(1.38, 0.0), [300.0; 2]),
+            Self::Bubble => two_sided(bare(Medium::vacuum())).layer(medium("water"), [50.0, 900.0]),
             Self::Sunglasses => FilmDescription {
                 ambient: medium("air"),
-                ..transmitting(medium("BK7"))
+                ..two_sided(bare(medium("BK7")))
             }
             .layer(medium("TiO2"), [100.0, 300.0])
             .layer(medium("Au"), [10.0; 2]),
             Self::Prism => FilmDescription {
                 ambient: medium("BK7"),
-                ..transmitting(Medium::vacuum())
+                ..two_sided(bare(Medium::vacuum()))
             }
             .layer(medium("MgF2"), [0.0, 300.0]),
         }
