@@ -21,8 +21,7 @@
 //! [1e-4, 1] and every cosine (`tests` below). Results are held to 0 <= grazing <= whole <= 1, which
 //! the spline may leave by its error.
 //!
-//! **Cost** in single precision, on the machine of the README's figures: 2.6 ms for all alphas, 0.19 ms
-//! for one.
+//! **Cost**: 105,560 samples of the lobe for all alphas, 7,540 for one.
 
 use super::distribution::Normals;
 use super::masking::{Masking, Pair};
