@@ -129,7 +129,8 @@ template <class Check> void for_each_layout(Check check) {
     for (const support::Model &model : support::models_with_and_without_film()) {
         CAPTURE(std::string(model.info.name));
         const support::Varying subject(model);
-        for (const std::size_t count : {0, 1, 7, 64, 65})
+        // The last is more than a chunk, and a rest that no lanes divide.
+        for (const std::size_t count : {0, 1, 7, 64, 65, 277})
             for (const Layout &in : layouts)
                 for (const Layout &out : layouts) {
                     CAPTURE(count);

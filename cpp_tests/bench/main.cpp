@@ -1,7 +1,7 @@
 // Nanoseconds per call beside a renderer's own plain C++, and the difference of the results: time
 // and error stand together. Prints Markdown. Fails only if the results disagree, never on time.
 //
-// All contenders see a million random inputs, so that no branch or table of the standard library
+// All contenders see 300,000 random inputs, so that no branch or table of the standard library
 // learns them. The films have a table of their own.
 
 #include "contender.hpp"

@@ -6,6 +6,7 @@ use crate::suite::Point;
 use pellicle::Error;
 use pellicle::batch::{ConstView, FilmArgs, View, film_reflectance};
 use pellicle::film::Film;
+use pellicle::math::Level;
 
 /// Fills `colors` with the film's reflectance at as many points.
 pub fn evaluate(film: &Film, points: &[Point], colors: &mut [[f32; 3]]) -> Result<(), Error> {
@@ -29,7 +30,7 @@ pub fn evaluate(film: &Film, points: &[Point], colors: &mut [[f32; 3]]) -> Resul
         },
     };
     // SAFETY: the views stand for the first `count` elements of two slices that live on.
-    unsafe { film_reflectance(film, &args) }
+    unsafe { film_reflectance(film, &args, Level::chosen()) }
 }
 
 #[cfg(test)]

@@ -1,11 +1,14 @@
 //! Evaluation and sampling of a BSDF.
 
-use super::view::{ConstView, View, check_reach};
-use crate::bsdf::{Bsdf, MAX_VARYING};
+use super::column::{Chunk, Column, Span, is_apart};
+use super::varying::{MAX_FLOATS, VaryingViews, with_room};
+use super::view::{ConstView, View};
+use crate::bsdf::{Bsdf, Found, Given};
 use crate::error::Error;
+use crate::math::Level;
 
-/// The most numbers that varying parameters may have together.
-const MAX_FLOATS: usize = 3 * MAX_VARYING;
+/// Fewer elements are faster one by one.
+pub(super) const LEAST_TILE: usize = 4;
 
 /// Arguments of [`eval`].
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +52,7 @@ pub struct SampleArgs<'a> {
     pub lobe: View<u32>,
 }
 
-/// Value and density of every element; equal to the single calls bit for bit.
+/// Value and density of every element; equal to the single calls bit for bit, at every level.
 ///
 /// # Errors
 /// `InvalidArgument`, before anything is read or written, if a needed view is null, no output is
@@ -58,7 +61,7 @@ pub struct SampleArgs<'a> {
 /// # Safety
 /// Every address that the views stand for must be readable, or writable. An output may coincide
 /// with an input element for element (same address and stride), not otherwise overlap one.
-pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs) -> Result<(), Error> {
+pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Error> {
     let count = args.count;
     if args.value.data.is_null() && args.pdf.data.is_null() {
         return Err(Error::invalid(
@@ -70,32 +73,86 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs) -> Result<(), Error> {
     args.value.check("value", 3, count)?;
     args.pdf.check("pdf", 1, count)?;
     let varying = VaryingViews::new(bsdf, args.varying, count)?;
+    let inputs = [args.wo.span(3, count), args.wi.span(3, count)];
+    let outputs = [args.value.target(3, count), args.pdf.target(1, count)];
     // SAFETY: the caller vouches for every address of every view.
     unsafe {
-        let mut numbers = [0.0; MAX_FLOATS];
-        for i in 0..count {
-            let varying = varying.load(i, &mut numbers);
-            let (wo, wi) = (args.wo.load(i).into(), args.wi.load(i).into());
-            if args.pdf.data.is_null() {
-                args.value.store(i, bsdf.eval(wo, wi, varying));
-            } else {
-                let (value, pdf) = bsdf.eval_pdf(wo, wi, varying);
-                args.value.store(i, value);
-                args.pdf.store(i, [pdf]);
-            }
+        if count < LEAST_TILE {
+            eval_one_by_one(bsdf, args, &varying);
+        } else {
+            let is_direct = are_apart(&inputs, &varying, &outputs, count);
+            eval_by_tiles(bsdf, args, &varying, is_direct, level);
         }
     }
     Ok(())
 }
 
-/// A sampled direction for every element; equal to the single calls bit for bit.
+/// Whether all that can be written where it lies is apart from all else.
+fn are_apart(
+    inputs: &[Span],
+    varying: &VaryingViews,
+    outputs: &[(Span, bool)],
+    count: usize,
+) -> bool {
+    is_apart(inputs, outputs) && varying.spans(count).all(|span| is_apart(&[span], outputs))
+}
+
+unsafe fn eval_one_by_one(bsdf: &Bsdf, args: &EvalArgs, varying: &VaryingViews) {
+    let mut numbers = [0.0; MAX_FLOATS];
+    for i in 0..args.count {
+        // SAFETY: as in `eval`.
+        unsafe {
+            let varying = varying.one(i, &mut numbers);
+            let (wo, wi) = (args.wo.vector(i).into(), args.wi.vector(i).into());
+            if args.pdf.data.is_null() {
+                args.value.store_one(i, bsdf.eval(wo, wi, varying));
+            } else {
+                let (value, pdf) = bsdf.eval_pdf(wo, wi, varying);
+                args.value.store_one(i, value);
+                args.pdf.store_one(i, [pdf]);
+            }
+        }
+    }
+}
+
+unsafe fn eval_by_tiles(
+    bsdf: &Bsdf,
+    args: &EvalArgs,
+    varying: &VaryingViews,
+    is_direct: bool,
+    level: Level,
+) {
+    let (mut wo, mut wi) = ([Column::<f32>::ZERO; 3], [Column::<f32>::ZERO; 3]);
+    let (mut value, mut pdf) = ([Column::<f32>::ZERO; 3], [Column::<f32>::ZERO]);
+    with_room(varying.floats(), |numbers| {
+        for chunk in Chunk::all(args.count, is_direct) {
+            // SAFETY: as in `eval`; the slices are apart, or copies.
+            unsafe {
+                let mut slices = [&[][..]; MAX_FLOATS];
+                let given = Given {
+                    wo: chunk.read(&args.wo, &mut wo),
+                    other: chunk.read(&args.wi, &mut wi),
+                    varying: varying.read(&chunk, numbers, &mut slices),
+                };
+                let [densities] = chunk.target(&args.pdf, &mut pdf);
+                let densities = (!args.pdf.data.is_null()).then_some(densities);
+                let values = chunk.target(&args.value, &mut value);
+                bsdf.eval_tile(level, given, values, densities);
+                chunk.write(&args.value, &value);
+                chunk.write(&args.pdf, &pdf);
+            }
+        }
+    });
+}
+
+/// A sampled direction for every element; equal to the single calls bit for bit, at every level.
 ///
 /// # Errors
 /// As [`eval`].
 ///
 /// # Safety
 /// As [`eval`].
-pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs) -> Result<(), Error> {
+pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(), Error> {
     let count = args.count;
     let floats = [args.wi, args.pdf, args.weight, args.eta];
     let wanted = floats.iter().any(|view| !view.data.is_null())
@@ -114,67 +171,86 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs) -> Result<(), Error> {
     args.flags.check("flags", 1, count)?;
     args.lobe.check("lobe", 1, count)?;
     let varying = VaryingViews::new(bsdf, args.varying, count)?;
+    let inputs = [args.wo.span(3, count), args.u.span(3, count)];
+    let outputs = [
+        args.wi.target(3, count),
+        args.pdf.target(1, count),
+        args.weight.target(3, count),
+        args.eta.target(1, count),
+        args.flags.target(1, count),
+        args.lobe.target(1, count),
+    ];
     // SAFETY: the caller vouches for every address of every view.
     unsafe {
-        let mut numbers = [0.0; MAX_FLOATS];
-        for i in 0..count {
-            let varying = varying.load(i, &mut numbers);
-            let sample = bsdf.sample(args.wo.load(i).into(), args.u.load(i).into(), varying);
-            args.wi.store(i, sample.wi.to_array());
-            args.pdf.store(i, [sample.pdf]);
-            args.weight.store(i, sample.weight);
-            args.eta.store(i, [sample.eta]);
-            args.flags.store(i, [sample.flags.0]);
-            args.lobe.store(i, [sample.lobe as u32]);
+        if count < LEAST_TILE {
+            sample_one_by_one(bsdf, args, &varying);
+        } else {
+            let is_direct = are_apart(&inputs, &varying, &outputs, count);
+            sample_by_tiles(bsdf, args, &varying, is_direct, level);
         }
     }
     Ok(())
 }
 
-/// The varying parameters of all elements.
-struct VaryingViews<'a> {
-    bsdf: &'a Bsdf,
-    views: &'a [ConstView],
+unsafe fn sample_one_by_one(bsdf: &Bsdf, args: &SampleArgs, varying: &VaryingViews) {
+    let mut numbers = [0.0; MAX_FLOATS];
+    for i in 0..args.count {
+        // SAFETY: as in `sample`.
+        unsafe {
+            let varying = varying.one(i, &mut numbers);
+            let (wo, u) = (args.wo.vector(i).into(), args.u.vector(i).into());
+            let sample = bsdf.sample(wo, u, varying);
+            args.wi.store_one(i, sample.wi.to_array());
+            args.pdf.store_one(i, [sample.pdf]);
+            args.weight.store_one(i, sample.weight);
+            args.eta.store_one(i, [sample.eta]);
+            args.flags.store_one(i, [sample.flags.0]);
+            args.lobe.store_one(i, [sample.lobe as u32]);
+        }
+    }
 }
 
-impl<'a> VaryingViews<'a> {
-    fn new(bsdf: &'a Bsdf, views: &'a [ConstView], count: usize) -> Result<Self, Error> {
-        if !views.is_empty() && views.len() != bsdf.varying_count() {
-            return Err(Error::invalid(format!(
-                "varying_count = {} but the BSDF has {} varying parameters",
-                views.len(),
-                bsdf.varying_count()
-            )));
-        }
-        for (view, components) in views.iter().zip(bsdf.varying_components()) {
-            check_reach(
-                "varying",
-                components,
-                count,
-                view.element_stride,
-                view.component_stride,
-            )?;
-        }
-        Ok(Self { bsdf, views })
-    }
-
-    /// The numbers of element i, one parameter after another.
-    unsafe fn load<'b>(&self, i: usize, numbers: &'b mut [f32; MAX_FLOATS]) -> Option<&'b [f32]> {
-        if self.views.is_empty() {
-            return None;
-        }
-        let floats = self.bsdf.varying_floats();
-        numbers[..floats].copy_from_slice(self.bsdf.varying_defaults());
-        let mut first = 0;
-        for (view, components) in self.views.iter().zip(self.bsdf.varying_components()) {
-            if !view.data.is_null() {
-                for c in 0..components {
-                    // SAFETY: the caller of the batch vouches for this address.
-                    numbers[first + c] = unsafe { view.at(i, c) };
-                }
+unsafe fn sample_by_tiles(
+    bsdf: &Bsdf,
+    args: &SampleArgs,
+    varying: &VaryingViews,
+    is_direct: bool,
+    level: Level,
+) {
+    let (mut wo, mut u) = ([Column::<f32>::ZERO; 3], [Column::<f32>::ZERO; 3]);
+    let (mut wi, mut weight) = ([Column::<f32>::ZERO; 3], [Column::<f32>::ZERO; 3]);
+    let (mut pdf, mut eta) = ([Column::<f32>::ZERO], [Column::<f32>::ZERO]);
+    let (mut flags, mut lobe) = ([Column::<u32>::ZERO], [Column::<u32>::ZERO]);
+    with_room(varying.floats(), |numbers| {
+        for chunk in Chunk::all(args.count, is_direct) {
+            // SAFETY: as in `sample`; the slices are apart, or copies.
+            unsafe {
+                let mut slices = [&[][..]; MAX_FLOATS];
+                let given = Given {
+                    wo: chunk.read(&args.wo, &mut wo),
+                    other: chunk.read(&args.u, &mut u),
+                    varying: varying.read(&chunk, numbers, &mut slices),
+                };
+                let [pdf_slice] = chunk.target(&args.pdf, &mut pdf);
+                let [eta_slice] = chunk.target(&args.eta, &mut eta);
+                let [flags_slice] = chunk.target(&args.flags, &mut flags);
+                let [lobe_slice] = chunk.target(&args.lobe, &mut lobe);
+                let found = Found {
+                    wi: chunk.target(&args.wi, &mut wi),
+                    pdf: pdf_slice,
+                    weight: chunk.target(&args.weight, &mut weight),
+                    eta: eta_slice,
+                    flags: flags_slice,
+                    lobe: lobe_slice,
+                };
+                bsdf.sample_tile(level, given, found);
+                chunk.write(&args.wi, &wi);
+                chunk.write(&args.pdf, &pdf);
+                chunk.write(&args.weight, &weight);
+                chunk.write(&args.eta, &eta);
+                chunk.write(&args.flags, &flags);
+                chunk.write(&args.lobe, &lobe);
             }
-            first += components;
         }
-        Some(&numbers[..floats])
-    }
+    });
 }

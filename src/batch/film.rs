@@ -1,8 +1,11 @@
 //! Reflectance of a film.
 
+use super::bsdf::LEAST_TILE;
+use super::column::{Chunk, Column, is_apart};
 use super::view::{ConstView, View};
 use crate::error::Error;
 use crate::film::Film;
+use crate::math::Level;
 
 /// Arguments of [`film_reflectance`].
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +20,8 @@ pub struct FilmArgs {
     pub reflectance: View,
 }
 
-/// Reflectance of every element from the ambient's side; equal to the single calls bit for bit.
+/// Reflectance of every element from the ambient's side; equal to the single calls bit for bit, at every
+/// level.
 ///
 /// # Errors
 /// `InvalidArgument`, before anything is read or written, if a needed view is null or an offset
@@ -25,7 +29,7 @@ pub struct FilmArgs {
 ///
 /// # Safety
 /// As [`eval`](super::eval).
-pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs) -> Result<(), Error> {
+pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs, level: Level) -> Result<(), Error> {
     let count = args.count;
     if args.reflectance.data.is_null() {
         return Err(Error::invalid(
@@ -35,15 +39,37 @@ pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs) -> Result<(), Error
     args.cos_theta.check("cos_theta", 1, count)?;
     let thickness_nm = thickness(film, args)?;
     args.reflectance.check("reflectance", 3, count)?;
-    for i in 0..count {
-        // SAFETY: the caller vouches for every address of every view.
-        unsafe {
-            let (cos_theta, thickness_nm) = (args.cos_theta.at(i, 0), thickness_nm.at(i, 0));
-            let rgb = film.reflectance(cos_theta, thickness_nm);
-            args.reflectance.store(i, rgb);
+    // SAFETY: the caller vouches for every address of every view.
+    unsafe {
+        if count < LEAST_TILE {
+            for i in 0..count {
+                let (cos_theta, thickness_nm) = (args.cos_theta.at(i, 0), thickness_nm.at(i, 0));
+                let rgb = film.reflectance(cos_theta, thickness_nm);
+                args.reflectance.store_one(i, rgb);
+            }
+        } else {
+            by_tiles(film, args, &thickness_nm, level);
         }
     }
     Ok(())
+}
+
+unsafe fn by_tiles(film: &Film, args: &FilmArgs, thickness_nm: &ConstView, level: Level) {
+    let count = args.count;
+    let inputs = [args.cos_theta.span(1, count), thickness_nm.span(1, count)];
+    let outputs = [args.reflectance.target(3, count)];
+    let [mut cosines, mut thicknesses] = [[Column::<f32>::ZERO]; 2];
+    let mut room = [Column::<f32>::ZERO; 3];
+    for chunk in Chunk::all(count, is_apart(&inputs, &outputs)) {
+        // SAFETY: as in `film_reflectance`; the slices are apart, or copies.
+        unsafe {
+            let [cosines] = chunk.read(&args.cos_theta, &mut cosines);
+            let [thicknesses] = chunk.read(thickness_nm, &mut thicknesses);
+            let reflectance = chunk.target(&args.reflectance, &mut room);
+            film.reflectance_tile(level, cosines, thicknesses, reflectance);
+            chunk.write(&args.reflectance, &room);
+        }
+    }
 }
 
 /// The view of the thicknesses: any number will do for a film of which none varies.

@@ -4,7 +4,9 @@
 #![allow(unsafe_code)]
 
 mod bsdf;
+mod column;
 mod film;
+mod varying;
 mod view;
 
 pub use bsdf::{EvalArgs, SampleArgs, eval, sample};

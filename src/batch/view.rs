@@ -1,5 +1,6 @@
 //! Strided arrays, and the checks that come before any address is used.
 
+use super::column::{CHUNK, Column, Span};
 use crate::error::Error;
 
 /// A strided array to read: component c of element i is `i * element_stride + c * component_stride`
@@ -25,32 +26,101 @@ pub struct View<T = f32> {
     pub component_stride: isize,
 }
 
+/// Bytes of a number.
+const NUMBER: isize = size_of::<f32>() as isize;
+
 impl ConstView {
     /// Refuses null, unless there are no elements, and offsets that overflow.
     pub(super) fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
         if self.data.is_null() && count > 0 {
             return Err(Error::invalid(format!("{name}.data is NULL")));
         }
-        check_reach(
-            name,
-            components,
-            count,
-            self.element_stride,
-            self.component_stride,
-        )
+        self.as_view().check(name, components, count)
+    }
+
+    /// [`View::span`]
+    pub(super) fn span(&self, components: usize, count: usize) -> Span {
+        self.as_view().span(components, count)
+    }
+
+    /// [`View::is_contiguous`]
+    pub(super) fn is_contiguous(&self, components: usize) -> bool {
+        self.as_view().is_contiguous(components)
+    }
+
+    /// [`View::address`]
+    pub(super) unsafe fn address(&self, i: usize, c: usize) -> *const f32 {
+        // SAFETY: the caller vouches for it.
+        unsafe { self.as_view().address(i, c) }
+    }
+
+    /// To ask it what has nothing to do with writing.
+    fn as_view(&self) -> View {
+        View {
+            data: self.data.cast_mut(),
+            element_stride: self.element_stride,
+            component_stride: self.component_stride,
+        }
     }
 
     /// Component c of element i.
     pub(super) unsafe fn at(&self, i: usize, c: usize) -> f32 {
-        let offset = i as isize * self.element_stride + c as isize * self.component_stride;
-        // SAFETY: the caller of the batch vouches for this address; check_reach for the offset.
-        unsafe { self.data.byte_offset(offset).read_unaligned() }
+        // SAFETY: the caller of the batch vouches for this address; check for the offset.
+        unsafe { self.address(i, c).read_unaligned() }
     }
 
     /// The three components of element i.
-    pub(super) unsafe fn load(&self, i: usize) -> [f32; 3] {
+    pub(super) unsafe fn vector(&self, i: usize) -> [f32; 3] {
         // SAFETY: as in `at`.
         unsafe { [self.at(i, 0), self.at(i, 1), self.at(i, 2)] }
+    }
+
+    /// So many elements from the first on, by component.
+    pub(super) unsafe fn load(&self, first: usize, count: usize, room: &mut [Column<f32>]) {
+        // SAFETY: the caller of the batch vouches for all addresses; check for the offsets.
+        unsafe {
+            // Strides that the compiler knows make the loops fast.
+            if let [x, y, z] = room
+                && self.element_stride == 3 * NUMBER
+                && self.component_stride == NUMBER
+            {
+                let data = self.address(first, 0).cast::<[f32; 3]>();
+                for i in 0..count {
+                    [x.0[i], y.0[i], z.0[i]] = data.add(i).read_unaligned();
+                }
+                return;
+            }
+            for (c, column) in room.iter_mut().enumerate() {
+                let data = self.address(first, c);
+                let numbers = &mut column.0[..count];
+                match self.element_stride {
+                    NUMBER => gather(data, NUMBER, numbers),
+                    0 => numbers.fill(data.read_unaligned()),
+                    stride => gather(data, stride, numbers),
+                }
+            }
+        }
+    }
+}
+
+/// Numbers that lie so many bytes apart.
+#[inline(always)]
+unsafe fn gather(data: *const f32, stride: isize, numbers: &mut [f32]) {
+    for (i, number) in numbers.iter_mut().enumerate() {
+        // SAFETY: the caller vouches for these addresses.
+        *number = unsafe { data.byte_offset(i as isize * stride).read_unaligned() };
+    }
+}
+
+/// The reverse of [`gather`].
+#[inline(always)]
+unsafe fn scatter<T: Copy>(data: *mut T, stride: isize, numbers: &[T]) {
+    for (i, number) in numbers.iter().enumerate() {
+        // SAFETY: the caller vouches for these addresses.
+        unsafe {
+            data.byte_offset(i as isize * stride)
+                .write_unaligned(*number)
+        }
     }
 }
 
@@ -66,15 +136,87 @@ impl<T: Copy> View<T> {
         )
     }
 
+    /// Component c of element i.
+    pub(super) unsafe fn address(&self, i: usize, c: usize) -> *mut T {
+        let offset = i as isize * self.element_stride + c as isize * self.component_stride;
+        // SAFETY: the caller vouches for the address, check for the offset.
+        unsafe { self.data.byte_offset(offset) }
+    }
+
+    /// Whether the elements of each component lie side by side, as numbers do in a slice, and those of a
+    /// chunk apart from those of other components.
+    pub(super) fn is_contiguous(&self, components: usize) -> bool {
+        let [number, between] = [size_of::<T>() as isize, self.component_stride];
+        let is_apart = between % number == 0 && between.unsigned_abs() >= CHUNK * size_of::<T>();
+        let is_aligned = !self.data.is_null() && self.data.is_aligned();
+        self.element_stride == number && is_aligned && (components == 1 || is_apart)
+    }
+
+    /// The bytes from the least to the greatest; none if there are none.
+    pub(super) fn span(&self, components: usize, count: usize) -> Span {
+        if self.data.is_null() || count == 0 {
+            return None;
+        }
+        let reach = |steps: usize, stride: isize| {
+            let farthest = (steps as isize).wrapping_mul(stride);
+            [farthest.min(0), farthest.max(0)]
+        };
+        let [elements, components] = [
+            reach(count - 1, self.element_stride),
+            reach(components - 1, self.component_stride),
+        ];
+        let data = self.data.addr();
+        let least = data.wrapping_add_signed(elements[0] + components[0]);
+        let greatest = data.wrapping_add_signed(elements[1] + components[1]);
+        Some([least, greatest.wrapping_add(size_of::<T>() - 1)])
+    }
+
+    /// The span, and whether it could be written where it lies.
+    pub(super) fn target(&self, components: usize, count: usize) -> (Span, bool) {
+        (self.span(components, count), self.is_contiguous(components))
+    }
+
     /// Writes the components of element i, if they are wanted.
-    pub(super) unsafe fn store<const N: usize>(&self, i: usize, values: [T; N]) {
+    pub(super) unsafe fn store_one<const N: usize>(&self, i: usize, values: [T; N]) {
         if self.data.is_null() {
             return;
         }
         for (c, value) in values.into_iter().enumerate() {
-            let offset = i as isize * self.element_stride + c as isize * self.component_stride;
-            // SAFETY: the caller of the batch vouches for this address; check_reach for the offset.
-            unsafe { self.data.byte_offset(offset).write_unaligned(value) }
+            // SAFETY: the caller of the batch vouches for this address; check for the offset.
+            unsafe { self.address(i, c).write_unaligned(value) }
+        }
+    }
+
+    /// Writes so many elements from the first on, given by component.
+    pub(super) unsafe fn store<const N: usize>(
+        &self,
+        first: usize,
+        count: usize,
+        columns: [&[T; CHUNK]; N],
+    ) {
+        let number = size_of::<T>() as isize;
+        // SAFETY: the caller of the batch vouches for all addresses; check for the offsets.
+        unsafe {
+            if N > 1
+                && self.element_stride == N as isize * number
+                && self.component_stride == number
+            {
+                let data = self.address(first, 0).cast::<[T; N]>();
+                #[allow(clippy::needless_range_loop)] // of N arrays at once
+                for i in 0..count {
+                    let element: [T; N] = std::array::from_fn(|c| columns[c][i]);
+                    data.add(i).write_unaligned(element);
+                }
+                return;
+            }
+            for (c, column) in columns.into_iter().enumerate() {
+                let data = self.address(first, c);
+                if self.element_stride == number {
+                    scatter(data, number, &column[..count]);
+                } else {
+                    scatter(data, self.element_stride, &column[..count]);
+                }
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod description;
 mod film;
+mod tiles;
 mod varying;
 
 pub use description::Description;
@@ -9,6 +10,7 @@ pub use description::Description;
 use crate::error::Error;
 use crate::lobe::{self, Flags, Kernel, LobeInfo, ModelInfo, Override, PerLobe, Precision, Values};
 use crate::math::{Rgb, Vec3};
+pub(crate) use tiles::{Found, Given};
 pub(crate) use varying::MAX_VARYING;
 use varying::Varying;
 
@@ -173,9 +175,8 @@ impl<T: Scalar> Bsdf<T> {
     /// A direction for three uniform numbers in [0, 1).
     pub fn sample(&self, wo: T::Vector, u: T::Vector, varying: Option<&[T]>) -> Sample<T> {
         let u: [T; 3] = u.into();
-        let is_uniform = |u: T| u >= T::new(0.0) && u < T::new(1.0);
         let sampled = self.direction(wo).and_then(|wo| {
-            if !u.into_iter().all(is_uniform) {
+            if !u.into_iter().all(lobe::is_uniform) {
                 return None;
             }
             self.varying
@@ -222,9 +223,11 @@ impl<T: Scalar> Bsdf<T> {
     #[inline(always)]
     fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
         let w = Vec3::from_array(w.into());
-        // Twice 1e-3, since the length is squared; NaN and infinity fail the comparison.
-        let is_unit = (w.length_squared() - T::new(1.0)).abs() <= T::new(2e-3);
-        let height = if self.is_two_sided { w.z.abs() } else { w.z };
-        (is_unit && height > T::new(0.0)).then_some(w)
+        let is_valid = if self.is_two_sided {
+            lobe::is_unit(w) && w.z != T::new(0.0)
+        } else {
+            lobe::is_above(w)
+        };
+        is_valid.then_some(w)
     }
 }

@@ -1,7 +1,7 @@
 //! Parameters given per call: from a flat list of numbers to overrides, clamped and checked.
 
 use super::Scalar;
-use crate::lobe::{ModelInfo, Override, ParamKind, Values};
+use crate::lobe::{ModelInfo, Override, ParamKind, Values, Varied};
 use crate::math::{Real, Vec3};
 
 /// More than any model's parameters; so that what varies fits on the stack.
@@ -106,16 +106,36 @@ impl<T: Scalar> Slot<T> {
     }
 }
 
-/// A vector of any length with z > 0, normalised. Scaled by its largest component first, since the
-/// square of a large or a small number may leave the range of the type.
-pub(super) fn upward<T: Scalar>(value: [T; 3]) -> Option<[T; 3]> {
-    let largest = value
-        .into_iter()
-        .fold(T::new(0.0), |largest, x| Real::max(largest, x.abs()));
-    let inverse = T::new(1.0) / largest;
-    if value[2] <= T::new(0.0) || !inverse.is_finite() {
-        return None;
+impl Varying<f32> {
+    /// The parameters of a tile: `all`, filled as far as needed. Of a scalar the one slice stands for all
+    /// components.
+    pub fn of_tile<'a, 'b>(
+        &self,
+        varying: &[&'a [f32]],
+        all: &'b mut [Varied<'a>; MAX_VARYING],
+    ) -> &'b [Varied<'a>] {
+        let mut rest = varying;
+        let mut count = 0;
+        for (slot, varied) in self.slots.iter().zip(all.iter_mut()) {
+            let Some((numbers, after)) = rest.split_at_checked(slot.components) else {
+                break;
+            };
+            let last = slot.components - 1;
+            *varied = Varied {
+                param: slot.param,
+                value: [0, 1, 2].map(|c| numbers[last.min(c)]),
+                range: [slot.min, slot.max],
+                is_direction: slot.is_direction,
+            };
+            rest = after;
+            count += 1;
+        }
+        &all[..count]
     }
-    let unit = Vec3::from_array(value).scaled(inverse).normalized();
-    (unit.z > T::new(0.0)).then(|| unit.to_array())
+}
+
+/// A vector of any length with z > 0, normalised.
+pub(super) fn upward<T: Scalar>(value: [T; 3]) -> Option<[T; 3]> {
+    let (unit, is_upward) = Vec3::from_array(value).upward();
+    is_upward.then(|| unit.to_array())
 }

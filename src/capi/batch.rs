@@ -9,6 +9,7 @@ use super::{bsdf, film};
 use crate::batch::{self, ConstView, EvalArgs, FilmArgs, SampleArgs, View};
 use crate::bsdf::MAX_VARYING;
 use crate::error::Error;
+use crate::math::Level;
 use libc::size_t;
 
 /// pellicle_bsdf_eval() for every element of strided arrays, equal to it bit for bit. `value` or
@@ -38,7 +39,7 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
                 value: args.value.into(),
                 pdf: args.pdf.into(),
             };
-            batch::eval(bsdf, &args)
+            batch::eval(bsdf, &args, Level::chosen())
         }
     })
 }
@@ -72,7 +73,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
                 flags: args.flags.into(),
                 lobe: args.lobe.into(),
             };
-            batch::sample(bsdf, &args)
+            batch::sample(bsdf, &args, Level::chosen())
         }
     })
 }
@@ -100,7 +101,7 @@ pub unsafe extern "C" fn pellicle_film_reflectance_batch(
                 thickness_nm: args.thickness_nm.into(),
                 reflectance: args.reflectance.into(),
             };
-            batch::film_reflectance(film, &args)
+            batch::film_reflectance(film, &args, Level::chosen())
         }
     })
 }

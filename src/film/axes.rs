@@ -159,6 +159,47 @@ impl Coordinates {
     }
 }
 
+/// One of the numbers, everywhere.
+#[inline(always)]
+fn number<L: Element<Scalar = f32>>(lanes: &Lanes, axis: usize) -> L {
+    L::splat(f32::channels(*lanes)[axis])
+}
+
+impl Linear {
+    /// Of one axis.
+    #[inline(always)]
+    fn lanes<L: Element<Scalar = f32>>(&self, axis: usize, d: L) -> L {
+        number::<L>(&self.slope, axis) * d + number(&self.constant, axis)
+    }
+}
+
+impl Coordinates {
+    /// [`Coordinates::at`] of as many as there are.
+    #[inline(always)]
+    pub(super) fn lanes<L: Element<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2] {
+        [
+            self.coordinate(0, cos_theta, thickness_nm),
+            self.coordinate(1, cos_theta, thickness_nm),
+        ]
+    }
+
+    #[inline(always)]
+    fn coordinate<L: Element<Scalar = f32>>(
+        &self,
+        axis: usize,
+        cos_theta: L,
+        thickness_nm: L,
+    ) -> L {
+        let d = thickness_nm - L::splat(self.from);
+        let square = cos_theta * cos_theta;
+        let [constant, first, second, fourth] = &self.cosine;
+        let f = (number::<L>(fourth, axis) * square + number::<L>(second, axis)) * square
+            + (number::<L>(constant, axis) + number::<L>(first, axis) * cos_theta);
+        let divisor = self.denominator.lanes(axis, d) * f + self.rest.lanes(axis, d);
+        self.numerator.lanes(axis, d) * f / divisor
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@ use super::FilmDescription;
 use super::plan::{Plan, plan};
 use super::table::{Curve, Lanes, Table};
 use crate::error::{Error, Status};
-use crate::math::{Element, Real, Rgb};
+use crate::math::{Element, Real, Rgb, each};
 use crate::optics::stack::Side;
 use crate::optics::{Medium, Reference};
 
@@ -17,7 +17,7 @@ use crate::optics::{Medium, Reference};
 /// not held to the tolerance: there a soap film turns from nothing into a mirror.
 pub struct Film {
     description: FilmDescription,
-    compiled: Compiled,
+    pub(super) compiled: Compiled,
     plan: Plan,
     /// What thicknesses and colours are held in.
     thickness_nm: [f32; 2],
@@ -130,6 +130,70 @@ impl Film {
             Compiled::Curve(curve) => curve.at(cos_theta),
             _ => f32::rgb(self.untabulated(cos_theta, thickness_nm)),
         })
+    }
+
+    /// [`Film::reflectance`] of as many as there are.
+    #[inline(always)]
+    pub(crate) fn reflectance_lanes<L: Element<Scalar = f32>>(
+        &self,
+        cos_theta: L,
+        thickness_nm: L,
+    ) -> Rgb<L> {
+        let is_number = cos_theta.equals(cos_theta) & thickness_nm.equals(thickness_nm);
+        let [cos_theta, thickness_nm] = self.held_lanes(cos_theta, thickness_nm);
+        let rgb = match &self.compiled {
+            Compiled::Table(table) => L::channels(table.lanes(cos_theta, thickness_nm)),
+            Compiled::Curve(curve) => L::channels(curve.lanes(cos_theta)),
+            _ => self.untabulated_lanes(cos_theta, thickness_nm),
+        };
+        self.finished_lanes(is_number, rgb)
+    }
+
+    /// The arguments within their ranges, which a NaN is too.
+    #[inline(always)]
+    pub(super) fn held_lanes<L: Element<Scalar = f32>>(
+        &self,
+        cos_theta: L,
+        thickness_nm: L,
+    ) -> [L; 2] {
+        let [min, max] = self.thickness_nm;
+        [
+            cos_theta.max(L::splat(LEAST_COSINE)).min(L::new(1.0)),
+            thickness_nm.max(L::splat(min)).min(L::splat(max)),
+        ]
+    }
+
+    #[inline(always)]
+    pub(super) fn finished_lanes<L: Element<Scalar = f32>>(
+        &self,
+        is_number: L::Mask,
+        rgb: Rgb<L>,
+    ) -> Rgb<L> {
+        let [least, greatest] = self.color;
+        let [least, ..] = L::channels(L::splat_rgb(least));
+        let [greatest, ..] = L::channels(L::splat_rgb(greatest));
+        each!(rgb, |channel| L::select(
+            is_number,
+            channel.max(least).min(greatest),
+            L::new(0.0)
+        ))
+    }
+
+    #[inline(always)]
+    fn untabulated_lanes<L: Element<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> Rgb<L> {
+        const MOST: usize = 16;
+        let mut given = [[0.0; MOST]; 2];
+        cos_theta.store(&mut given[0][..L::COUNT]);
+        thickness_nm.store(&mut given[1][..L::COUNT]);
+        let [cos_theta, thickness_nm] = given;
+        let mut channels = [[0.0; MOST]; 3];
+        for place in 0..L::COUNT {
+            let color = self.untabulated(cos_theta[place], thickness_nm[place]);
+            for (channel, number) in channels.iter_mut().zip(color) {
+                channel[place] = number;
+            }
+        }
+        each!(channels, |numbers| L::load(&numbers[..L::COUNT]))
     }
 
     #[inline(never)]

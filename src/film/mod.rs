@@ -26,6 +26,7 @@ mod quadrature;
 mod series;
 mod sheets;
 mod table;
+mod tile;
 mod two_beam;
 
 pub use airy_rgb::AiryRgb;

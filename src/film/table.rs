@@ -3,7 +3,7 @@
 use super::axes::{Axes, Coordinates};
 use crate::error::Error;
 use crate::math::spline::{controls, weights};
-use crate::math::{Element, Entry, Rgb};
+use crate::math::{Block, Element, Entry, Rgb, load_block, weighted};
 
 /// Three channels in one register.
 pub(super) type Lanes = <f32 as Element>::Rgb;
@@ -34,11 +34,6 @@ pub(super) struct Table {
     row: usize,
 }
 
-#[inline(always)]
-fn weighted([a, b, c]: [Lanes; 3], [u, v, w]: [Lanes; 3]) -> Lanes {
-    a * u + b * v + c * w
-}
-
 impl Curve {
     /// Through values at equal steps of the first coordinate, at least
     /// [`LEAST_VALUES`](crate::math::spline::LEAST_VALUES).
@@ -59,9 +54,29 @@ impl Curve {
         let [position, ..] = f32::channels(self.coordinates.at(cos_theta, 0.0));
         let whole = position + WHOLE;
         let index = (whole.to_bits() & 0x007f_ffff) as usize;
-        let [points, ..] = f32::load_block(&self.points, index, 0);
+        let [points, ..] = load_block(&self.points, index, 0);
         let w = weights(f32::gray(position - (whole - WHOLE)));
         weighted(points, w)
+    }
+
+    /// [`Curve::at`] of as many as there are.
+    #[inline(always)]
+    pub(super) fn lanes<L: Element<Scalar = f32>>(&self, cos_theta: L) -> L::Rgb {
+        self.around(self.position(cos_theta))
+    }
+
+    /// Steps along the cosine, and 0.
+    #[inline(always)]
+    pub(super) fn position<L: Element<Scalar = f32>>(&self, cos_theta: L) -> [L; 2] {
+        let [position, _] = self.coordinates.lanes(cos_theta, L::new(0.0));
+        [position, L::new(0.0)]
+    }
+
+    /// The colours at what [`Curve::position`] found.
+    #[inline(always)]
+    pub(super) fn around<L: Element<Scalar = f32>>(&self, [position, _]: [L; 2]) -> L::Rgb {
+        let first = position.round();
+        L::weighted_row(&self.points, first, weights(position - first))
     }
 
     pub(super) fn bytes(&self) -> usize {
@@ -115,9 +130,41 @@ impl Table {
         let both = weights(position - (whole - offset));
         let across = both.map(|weight| f32::gray(f32::channels(weight)[0]));
         let along = both.map(|weight| f32::gray(f32::channels(weight)[1]));
-        let rows = f32::load_block(&self.points, j * self.row + i, self.row);
+        let rows = load_block(&self.points, j * self.row + i, self.row);
         let sums = rows.map(|row| weighted(row, across));
         weighted(sums, along)
+    }
+
+    /// [`Table::at`] of as many as there are.
+    #[inline(always)]
+    pub(super) fn lanes<L: Element<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> L::Rgb {
+        self.around(self.position(cos_theta, thickness_nm))
+    }
+
+    /// Steps along the cosine and the thickness.
+    #[inline(always)]
+    pub(super) fn position<L: Element<Scalar = f32>>(
+        &self,
+        cos_theta: L,
+        thickness_nm: L,
+    ) -> [L; 2] {
+        self.coordinates.lanes(cos_theta, thickness_nm)
+    }
+
+    /// The colours at what [`Table::position`] found.
+    #[inline(always)]
+    pub(super) fn around<L: Element<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb {
+        let first = [position[0].round(), position[1].round()];
+        let [across, along] = [
+            weights(position[0] - first[0]),
+            weights(position[1] - first[1]),
+        ];
+        let block = Block {
+            first,
+            across,
+            along,
+        };
+        L::weighted_block(&self.points, self.row, block)
     }
 
     pub(super) fn bytes(&self) -> usize {

@@ -1,11 +1,10 @@
 //! Diffuse models: one broad lobe, whose directions are drawn in proportion to their cosine.
 
-use super::quadrature;
 use super::scattering::{MAX_LOBES, PerLobe, Scattering};
 use crate::math::{Element, Rgb, Vec3, warp};
 
 /// A compiled model of one diffuse lobe.
-pub trait Diffuse<T: Element>: Copy + Send + Sync {
+pub trait Diffuse<T: Element> {
     /// As [`Scattering::vary`].
     fn vary(&mut self, param: usize, value: [T; 3]);
 
@@ -52,9 +51,7 @@ impl<T: Element, D: Diffuse<T>> Scattering<T> for CosineLobe<D> {
         warp::cosine_hemisphere(u[0], u[1])
     }
 
-    fn albedo(&self, wo: Vec3<T>) -> Rgb<T> {
-        self.0
-            .closed_albedo()
-            .unwrap_or_else(|| quadrature::albedo(self, wo))
+    fn closed_albedo(&self) -> Option<Rgb<T>> {
+        self.0.closed_albedo()
     }
 }

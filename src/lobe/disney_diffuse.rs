@@ -12,11 +12,11 @@
 
 use super::cosine_lobe::{CosineLobe, Diffuse};
 use super::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
-use super::mixture::Mixture;
+use super::mixture::{Mixture, Surfaces};
 use super::precision::Precision;
 use super::scattering::{Compiled, Model};
 use super::values::Values;
-use crate::math::{Element, PI, Real, Rgb, Vec3};
+use crate::math::{Element, PI, Real, Rgb, Vec3, each};
 
 /// The model; see the module's documentation.
 pub struct DisneyDiffuse;
@@ -42,10 +42,10 @@ impl Model for DisneyDiffuse {
     };
 
     fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(CosineLobe(Prepared {
+        Ok(Box::new(Mixture(Prepared {
             reflectance: values.rgb(REFLECTANCE),
             roughness: values.number(ROUGHNESS),
-        }))))
+        })))
     }
 }
 
@@ -61,7 +61,8 @@ pub struct Prepared<T> {
 pub(super) fn value<T: Real>(roughness: T, wo: Vec3<T>, wi: Vec3<T>) -> T {
     let one = T::new(1.0);
     let excess = roughness * (one + wo.dot(wi)) - T::new(0.5);
-    let [out, back] = [wo, wi].map(|w| one + excess * (one - w.z).pow5());
+    let [out, back] = [one - wo.z, one - wi.z];
+    let [out, back] = [one + excess * out.pow5(), one + excess * back.pow5()];
     out * back * wi.z * T::new(1.0 / PI)
 }
 
@@ -71,6 +72,18 @@ pub(super) fn value<T: Real>(roughness: T, wo: Vec3<T>, wi: Vec3<T>) -> T {
 pub(super) fn greatest_albedo<T: Real>(roughness: T) -> T {
     let above = (roughness - T::new(0.4)).max(T::new(0.0));
     T::new(1.0) + T::new(1.3) * above.squared() / (above + T::new(0.2))
+}
+
+impl<T: Precision> Surfaces<T> for Prepared<T> {
+    type Surface<'a, L: Element<Scalar = T>> = CosineLobe<Prepared<L>>;
+
+    #[inline(always)]
+    fn surface<L: Element<Scalar = T>>(&self) -> CosineLobe<Prepared<L>> {
+        CosineLobe(Prepared {
+            reflectance: each!(self.reflectance, |channel| L::splat(channel)),
+            roughness: L::splat(self.roughness),
+        })
+    }
 }
 
 impl<T: Element> Diffuse<T> for Prepared<T> {
@@ -85,6 +98,6 @@ impl<T: Element> Diffuse<T> for Prepared<T> {
     #[inline(always)]
     fn value(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
         let value = value(self.roughness, wo, wi);
-        self.reflectance.map(|reflectance| reflectance * value)
+        each!(self.reflectance, |reflectance| reflectance * value)
     }
 }

@@ -1,7 +1,8 @@
 //! A compiled model behind a pointer: what is the same for all models and needs one virtual call.
 
 use super::precision::Precision;
-use super::scattering::{MAX_LOBES, PerLobe};
+use super::scattering::PerLobe;
+use super::tile::Tiles;
 use crate::math::{Rgb, Vec3};
 
 /// A parameter's value for one call, in place of the one it was compiled with.
@@ -52,21 +53,8 @@ pub trait Kernel<T: Precision>: Send + Sync {
     fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>>;
     /// Directional albedo.
     fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T>;
-}
-
-/// The lobe in whose share of [0, 1) the number lies; none if all shares are 0.
-#[inline(always)]
-pub(super) fn choose<T: Precision>(selection: &PerLobe<T>, u: T) -> Option<usize> {
-    let zero = T::new(0.0);
-    let mut chosen = None;
-    let mut below = zero;
-    for lobe in (0..MAX_LOBES).filter(|&lobe| selection[lobe] > zero) {
-        // Rounding may leave the sum of all shares below u: then the last lobe is meant.
-        chosen = Some(lobe);
-        below = below + selection[lobe];
-        if u < below {
-            break;
-        }
+    /// The same, many at once; none: one by one.
+    fn tiles(&self) -> Option<&dyn Tiles> {
+        None
     }
-    chosen
 }

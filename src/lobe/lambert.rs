@@ -6,11 +6,11 @@
 
 use super::cosine_lobe::{CosineLobe, Diffuse};
 use super::info::{LobeInfo, ModelInfo, ParamInfo};
-use super::mixture::Mixture;
+use super::mixture::{Mixture, Surfaces};
 use super::precision::Precision;
 use super::scattering::{Compiled, Model};
 use super::values::Values;
-use crate::math::{Element, PI, Rgb, Vec3};
+use crate::math::{Element, PI, Rgb, Vec3, each};
 
 /// The model; see the module's documentation.
 pub struct Lambert;
@@ -33,9 +33,9 @@ impl Model for Lambert {
     };
 
     fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(CosineLobe(Prepared {
+        Ok(Box::new(Mixture(Prepared {
             reflectance: values.rgb(REFLECTANCE),
-        }))))
+        })))
     }
 }
 
@@ -43,6 +43,16 @@ impl Model for Lambert {
 #[derive(Clone, Copy)]
 pub struct Prepared<T> {
     reflectance: Rgb<T>,
+}
+
+impl<T: Precision> Surfaces<T> for Prepared<T> {
+    type Surface<'a, L: Element<Scalar = T>> = CosineLobe<Prepared<L>>;
+
+    #[inline(always)]
+    fn surface<L: Element<Scalar = T>>(&self) -> CosineLobe<Prepared<L>> {
+        let reflectance = each!(self.reflectance, |channel| L::splat(channel));
+        CosineLobe(Prepared { reflectance })
+    }
 }
 
 impl<T: Element> Diffuse<T> for Prepared<T> {
@@ -54,7 +64,7 @@ impl<T: Element> Diffuse<T> for Prepared<T> {
     #[inline(always)]
     fn value(&self, _wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
         let factor = wi.z * T::new(1.0 / PI);
-        self.reflectance.map(|reflectance| reflectance * factor)
+        each!(self.reflectance, |reflectance| reflectance * factor)
     }
 
     fn closed_albedo(&self) -> Option<Rgb<T>> {

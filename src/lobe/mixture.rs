@@ -1,84 +1,61 @@
 //! Models whose lobes all have a density: overrides, mixture and choice of lobe are the same for all.
 
-use super::kernel::{Direction, Kernel, Override, choose};
+use super::kernel::{Direction, Kernel, Override};
 use super::precision::Precision;
 use super::quadrature::mixture;
-use super::scattering::{PerLobe, Scattering};
-use crate::math::{Rgb, Vec3};
+use super::scattering::{MAX_LOBES, PerLobe, Scattering};
+use super::tile::{Eval, EvalTile, Sample, SampleTile, Tiles};
+use crate::math::{Element, Level, Mask, Rgb, Vec3, each};
 
-/// The kernel of a [`Scattering`] model that owns all it needs.
-pub struct Mixture<S>(pub S);
+/// The kernel of a model all of whose lobes reflect and have a density.
+pub struct Mixture<M>(pub M);
 
-/// The kernel of a model with tables: what is evaluated is made for each call and borrows them.
-pub(super) struct PerCall<M>(pub M);
-
-/// A compiled model with tables.
-pub(super) trait Surfaces<T: Precision>: Send + Sync {
+/// A compiled model: its numbers and tables, each once. What is evaluated is made of it for each call, or
+/// for as many calls as there are lanes.
+pub trait Surfaces<T: Precision>: Send + Sync + 'static {
     /// What is evaluated.
-    type Surface<'a>: Scattering<T>
-    where
-        Self: 'a;
+    type Surface<'a, L: Element<Scalar = T>>: Scattering<L>;
 
-    /// With the parameters of one call.
-    fn surface(&self, overrides: &[Override<T>]) -> Self::Surface<'_>;
+    /// With the parameters' own values.
+    fn surface<L: Element<Scalar = T>>(&self) -> Self::Surface<'_, L>;
 }
 
-/// Calls `$body` with `$scattering` being `$self` under `$overrides`. Nothing is copied when
+/// Calls `$body` with `$surface` being that of `$self` under `$overrides`: by a path of its own if
 /// nothing varies.
-macro_rules! with_overrides {
-    ($self:ident, $overrides:ident, |$scattering:ident| $body:expr) => {
+macro_rules! with_surface {
+    ($self:ident, $overrides:ident, |$surface:ident| $body:expr) => {
         if $overrides.is_empty() {
-            let $scattering = &$self.0;
+            let $surface = &$self.0.surface::<T>();
             $body
         } else {
-            let mut copy = $self.0;
-            for change in $overrides {
-                copy.vary(change.param, change.value);
-            }
-            let $scattering = &copy;
+            let $surface = &$self.varied($overrides);
             $body
         }
     };
 }
 
-impl<T: Precision, S: Scattering<T> + 'static> Kernel<T> for Mixture<S> {
-    fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
-        with_overrides!(self, overrides, |scattering| Scattering::eval(
-            scattering, wo, wi
-        ))
-    }
-
-    fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
-        with_overrides!(self, overrides, |scattering| eval_pdf(scattering, wo, wi))
-    }
-
-    fn lobes(
-        &self,
-        overrides: &[Override<T>],
-        wo: Vec3<T>,
-        wi: Vec3<T>,
-    ) -> (PerLobe<T>, PerLobe<T>) {
-        with_overrides!(self, overrides, |scattering| lobes(scattering, wo, wi))
-    }
-
-    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
-        with_overrides!(self, overrides, |scattering| sample(scattering, wo, u))
-    }
-
-    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
-        with_overrides!(self, overrides, |scattering| Scattering::albedo(
-            scattering, wo
-        ))
+impl<M> Mixture<M> {
+    #[inline(always)]
+    fn varied<T: Precision>(&self, overrides: &[Override<T>]) -> M::Surface<'_, T>
+    where
+        M: Surfaces<T>,
+    {
+        let mut surface = self.0.surface::<T>();
+        for change in overrides {
+            surface.vary(change.param, change.value);
+        }
+        surface.settle();
+        surface
     }
 }
 
-impl<T: Precision, M: Surfaces<T> + 'static> Kernel<T> for PerCall<M> {
+impl<T: Precision, M: Surfaces<T>> Kernel<T> for Mixture<M> {
     fn eval(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
-        self.0.surface(overrides).eval(wo, wi)
+        with_surface!(self, overrides, |surface| surface.eval(wo, wi))
     }
 
     fn eval_pdf(&self, overrides: &[Override<T>], wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
-        eval_pdf(&self.0.surface(overrides), wo, wi)
+        with_surface!(self, overrides, |surface| eval_pdf(surface, wo, wi))
     }
 
     fn lobes(
@@ -87,66 +64,152 @@ impl<T: Precision, M: Surfaces<T> + 'static> Kernel<T> for PerCall<M> {
         wo: Vec3<T>,
         wi: Vec3<T>,
     ) -> (PerLobe<T>, PerLobe<T>) {
-        lobes(&self.0.surface(overrides), wo, wi)
+        let surface = Outlined(self.varied(overrides));
+        let densities = surface.eval_with_densities(wo, wi).1;
+        (surface.selection(wo), densities)
     }
 
     fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
-        sample(&self.0.surface(overrides), wo, u)
+        let sampled = sample(&Outlined(self.varied(overrides)), wo, u);
+        (sampled.pdf > T::new(0.0)).then(|| Direction {
+            wi: sampled.wi,
+            pdf: sampled.pdf,
+            weight: sampled.weight,
+            eta: T::new(1.0),
+            lobe: sampled.lobe.to_f32() as usize,
+        })
     }
 
     fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
-        self.0.surface(overrides).albedo(wo)
+        Outlined(self.varied(overrides)).albedo(wo)
+    }
+
+    fn tiles(&self) -> Option<&dyn Tiles> {
+        T::tiles(self)
+    }
+}
+
+impl<M: Surfaces<f32>> Tiles for Mixture<M> {
+    fn eval(&self, level: Level, tile: EvalTile) {
+        level.run(Eval {
+            model: &self.0,
+            tile,
+        });
+    }
+
+    fn sample(&self, level: Level, tile: SampleTile) {
+        level.run(Sample {
+            model: &self.0,
+            tile,
+        });
+    }
+}
+
+/// A surface whose methods are calls: for those that are not so hot that each needs copies of its own, which
+/// take long to compile.
+struct Outlined<S>(S);
+
+impl<T: Precision, S: Scattering<T>> Scattering<T> for Outlined<S> {
+    fn vary(&mut self, param: usize, value: [T; 3]) {
+        self.0.vary(param, value);
+    }
+
+    #[inline(never)]
+    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        self.eval_with_densities(wo, wi).0
+    }
+
+    #[inline(never)]
+    fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
+        self.0.eval_with_densities(wo, wi)
+    }
+
+    #[inline(never)]
+    fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+        self.0.selection(wo)
+    }
+
+    #[inline(never)]
+    fn sample(&self, lobe: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
+        self.0.sample(lobe, wo, u)
+    }
+
+    fn closed_albedo(&self) -> Option<Rgb<T>> {
+        self.0.closed_albedo()
     }
 }
 
 /// Value, and the density of all lobes together.
 #[inline(always)]
-fn eval_pdf<T: Precision, S: Scattering<T>>(
-    scattering: &S,
+pub(super) fn eval_pdf<T: Element, S: Scattering<T>>(
+    surface: &S,
     wo: Vec3<T>,
     wi: Vec3<T>,
 ) -> (Rgb<T>, T) {
-    let (value, densities) = scattering.eval_with_densities(wo, wi);
-    (value, mixture(&scattering.selection(wo), &densities))
+    let (value, densities) = surface.eval_with_densities(wo, wi);
+    (value, mixture(&surface.selection(wo), &densities))
 }
 
-/// Probability and density of each lobe.
-#[inline(always)]
-fn lobes<T: Precision, S: Scattering<T>>(
-    scattering: &S,
-    wo: Vec3<T>,
-    wi: Vec3<T>,
-) -> (PerLobe<T>, PerLobe<T>) {
-    (
-        scattering.selection(wo),
-        scattering.eval_with_densities(wo, wi).1,
-    )
+/// A sampled direction; all 0: none.
+pub(super) struct Sampled<T> {
+    pub wi: Vec3<T>,
+    /// Over all lobes.
+    pub pdf: T,
+    /// value / pdf.
+    pub weight: Rgb<T>,
+    /// Number of the chosen lobe.
+    pub lobe: T,
 }
 
 /// A direction of a lobe chosen by the first number.
 #[inline(always)]
-fn sample<T: Precision, S: Scattering<T>>(
-    scattering: &S,
+pub(super) fn sample<T: Element, S: Scattering<T>>(
+    surface: &S,
     wo: Vec3<T>,
     u: [T; 3],
-) -> Option<Direction<T>> {
-    let selection = scattering.selection(wo);
-    let lobe = choose(&selection, u[0])?;
-    let wi = scattering.sample(lobe, wo, [u[1], u[2]]);
-    if wi.z <= T::new(0.0) {
-        return None;
+) -> Sampled<T> {
+    let zero = T::new(0.0);
+    let selection = surface.selection(wo);
+    let (mut wi, mut number) = (Vec3::zero(), zero);
+    for (lobe, is_chosen) in choose(&selection, u[0]).into_iter().enumerate() {
+        if is_chosen.any() {
+            let direction = surface.sample(lobe, wo, [u[1], u[2]]);
+            wi = Vec3::select(is_chosen, direction, wi);
+            number = T::select(is_chosen, T::new(lobe as f64), number);
+        }
     }
-    let (value, densities) = scattering.eval_with_densities(wo, wi);
+    let is_above = wi.z.gt(zero);
+    // Where there is no direction the viewer's own does no harm.
+    wi = Vec3::select(is_above, wi, wo);
+    let (value, densities) = surface.eval_with_densities(wo, wi);
     let pdf = mixture(&selection, &densities);
-    if pdf <= T::new(0.0) || !pdf.is_finite() {
-        return None;
+    let is_found = is_above & pdf.gt(zero) & pdf.is_finite();
+    Sampled {
+        wi: Vec3::from_array(each!(wi.to_array(), |number| T::select(
+            is_found, number, zero
+        ))),
+        pdf: T::select(is_found, pdf, zero),
+        weight: each!(value, |value| T::select(is_found, value / pdf, zero)),
+        lobe: T::select(is_found, number, zero),
     }
-    let weight = value.map(|value| value / pdf);
-    Some(Direction {
-        wi,
-        pdf,
-        weight,
-        eta: T::new(1.0),
-        lobe,
-    })
+}
+
+/// Which lobe's share of [0, 1) the number lies in; none if all shares are 0.
+#[inline(always)]
+fn choose<T: Element>(selection: &PerLobe<T>, u: T) -> [T::Mask; MAX_LOBES] {
+    let zero = T::new(0.0);
+    let never = zero.lt(zero);
+    let (mut chosen, mut is_open, mut below) = ([never; MAX_LOBES], !never, zero);
+    for (chosen, share) in chosen.iter_mut().zip(selection) {
+        below = below + *share;
+        *chosen = is_open & share.gt(zero) & u.lt(below);
+        is_open = is_open & !*chosen;
+    }
+    // Rounding may leave the sum of all shares below u: then the last lobe is meant.
+    for (chosen, share) in chosen.iter_mut().zip(selection).rev() {
+        let is_last = is_open & share.gt(zero);
+        *chosen = *chosen | is_last;
+        is_open = is_open & !is_last;
+    }
+    chosen
 }

@@ -36,11 +36,11 @@
 
 use super::cosine_lobe::{CosineLobe, Diffuse};
 use super::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
-use super::mixture::Mixture;
+use super::mixture::{Mixture, Surfaces};
 use super::precision::Precision;
 use super::scattering::{Compiled, Model};
 use super::values::Values;
-use crate::math::{Element, PI, Real, Rgb, Vec3, angle_turns};
+use crate::math::{Element, PI, Real, Rgb, Vec3, angle_turns, each};
 
 /// The model; see the module's documentation.
 pub struct OrenNayar;
@@ -70,11 +70,11 @@ impl Model for OrenNayar {
     };
 
     fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(CosineLobe(Prepared {
+        Ok(Box::new(Mixture(Prepared {
             reflectance: values.rgb(REFLECTANCE),
             facets: Facets::new(values.number(SIGMA)),
             is_qualitative: values.choice(FORM) == QUALITATIVE,
-        }))))
+        })))
     }
 }
 
@@ -97,6 +97,32 @@ pub(super) struct Facets<T> {
     mutual: T,
 }
 
+/// 0 where there is nothing to divide by.
+#[inline(always)]
+fn quotient<T: Real>(dividend: T, divisor: T) -> T {
+    let (zero, one) = (T::new(0.0), T::new(1.0));
+    let is_null = divisor.le(zero);
+    T::select(is_null, zero, dividend / T::select(is_null, one, divisor))
+}
+
+/// Of the angle to the normal.
+#[inline(always)]
+fn sine<T: Real>(w: Vec3<T>) -> T {
+    (w.x.squared() + w.y.squared()).sqrt()
+}
+
+impl<T: Element<Scalar = T>> Facets<T> {
+    /// The same everywhere.
+    #[inline(always)]
+    pub(super) fn splat<L: Element<Scalar = T>>(&self) -> Facets<L> {
+        Facets {
+            constant: L::splat(self.constant),
+            directional: L::splat(self.directional),
+            mutual: L::splat(self.mutual),
+        }
+    }
+}
+
 impl<T: Element> Facets<T> {
     #[inline(always)]
     pub(super) fn new(sigma: T) -> Self {
@@ -115,19 +141,15 @@ impl<T: Element> Facets<T> {
     #[inline(always)]
     pub(super) fn full(&self, reflectance: T::Rgb, wo: Vec3<T>, wi: Vec3<T>) -> T::Rgb {
         let (zero, one, four) = (T::new(0.0), T::new(1.0), T::new(4.0));
-        let [sine_o, sine_i] = [wo, wi].map(|w| (w.x.squared() + w.y.squared()).sqrt());
+        let [sine_o, sine_i] = [sine(wo), sine(wi)];
         // 2 theta / pi, in [0, 1].
         let part_o = four * angle_turns(sine_o, wo.z);
         let part_i = four * angle_turns(sine_i, wi.z);
         let (greater, lesser) = (part_o.max(part_i), part_o.min(part_i));
         // cos phi sin a sin b, and from it cos phi and cos phi sin b.
         let across = wo.x * wi.x + wo.y * wi.y;
-        let over = |divisor: T| {
-            let is_null = divisor.le(zero);
-            T::select(is_null, zero, across / T::select(is_null, one, divisor))
-        };
-        let cos_phi = over(sine_o * sine_i);
-        let cos_phi_sine_b = over(sine_o.max(sine_i));
+        let cos_phi = quotient(across, sine_o * sine_i);
+        let cos_phi_sine_b = quotient(across, sine_o.max(sine_i));
         let is_behind = across.lt(zero);
         let cube = T::select(is_behind, lesser.squared() * lesser, zero);
         let second = T::new(0.45) * (across - cube * cos_phi_sine_b) * wi.z / wo.z.max(wi.z);
@@ -155,7 +177,20 @@ impl<T: Element> Facets<T> {
         let across = (wo.x * wi.x + wo.y * wi.y).max(T::new(0.0));
         let second = T::new(0.45) * self.directional * across * wi.z / wo.z.max(wi.z);
         let factor = (self.constant * wi.z + second) * T::new(1.0 / PI);
-        reflectance.map(|rho| rho * factor)
+        each!(reflectance, |rho| rho * factor)
+    }
+}
+
+impl<T: Precision> Surfaces<T> for Prepared<T> {
+    type Surface<'a, L: Element<Scalar = T>> = CosineLobe<Prepared<L>>;
+
+    #[inline(always)]
+    fn surface<L: Element<Scalar = T>>(&self) -> CosineLobe<Prepared<L>> {
+        CosineLobe(Prepared {
+            reflectance: each!(self.reflectance, |channel| L::splat(channel)),
+            facets: self.facets.splat(),
+            is_qualitative: self.is_qualitative,
+        })
     }
 }
 

@@ -17,7 +17,7 @@
 //! renderer that computes light between surfaces has that light already and leaves the term out.
 
 use super::info::{LobeInfo, ModelInfo, ParamInfo};
-use super::mixture::Mixture;
+use super::mixture::{Mixture, Surfaces};
 use super::power_lobe::{
     conserving_normalization, estimated_integral, mean, power_of_cosine, sample_about,
 };
@@ -25,7 +25,7 @@ use super::precision::Precision;
 use super::scattering::{Compiled, MAX_LOBES, Model, PerLobe, Scattering};
 use super::values::{Bounds, Values};
 use crate::error::Error;
-use crate::math::{Element, PI, Real, Rgb, Vec3, warp};
+use crate::math::{Element, PI, Real, Rgb, Vec3, each, warp};
 
 /// The model; see the module's documentation.
 pub struct Phong;
@@ -98,6 +98,19 @@ pub struct Prepared<T> {
     exponent: T,
 }
 
+impl<T: Precision> Surfaces<T> for Prepared<T> {
+    type Surface<'a, L: Element<Scalar = T>> = Prepared<L>;
+
+    #[inline(always)]
+    fn surface<L: Element<Scalar = T>>(&self) -> Prepared<L> {
+        Prepared {
+            diffuse: each!(self.diffuse, |channel| L::splat(channel)),
+            specular: each!(self.specular, |channel| L::splat(channel)),
+            exponent: L::splat(self.exponent),
+        }
+    }
+}
+
 impl<T: Real> Prepared<T> {
     /// Value, and cos^e for the density.
     #[inline(always)]
@@ -105,7 +118,7 @@ impl<T: Real> Prepared<T> {
         let power = power_of_cosine(wo.mirrored(), wi, self.exponent);
         let normalization = conserving_normalization(self.exponent);
         let highlight = normalization * power;
-        let value = std::array::from_fn(|channel| {
+        let value = each!([0, 1, 2], |channel| {
             let diffuse = self.diffuse[channel] * T::new(1.0 / PI);
             (diffuse + self.specular[channel] * highlight) * wi.z
         });

@@ -43,15 +43,18 @@ pub trait Model: 'static {
     fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T>;
 }
 
-/// A compiled model whose lobes all reflect and have a density; [`Mixture`](super::Mixture) makes a
-/// kernel of it.
+/// A surface whose lobes all reflect and have a density, or as many as there are lanes;
+/// [`Mixture`](super::Mixture) makes a kernel of those that have [`Surfaces`](super::Surfaces).
 ///
 /// Every direction passed in is valid and has z > 0; the caller has seen to it. Directions returned
 /// may have z <= 0 or be null: then there is no sample.
-pub trait Scattering<T: Element>: Copy + Send + Sync {
+pub trait Scattering<T: Element> {
     /// Replaces the value of a parameter that varies per call. A scalar is in all three places; a
     /// direction is unit.
     fn vary(&mut self, param: usize, value: [T; 3]);
+
+    /// To be called after the last of a call's values; whatever follows from several of them.
+    fn settle(&mut self) {}
 
     /// f(wo, wi) |wi.z|.
     fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T>;
@@ -66,9 +69,18 @@ pub trait Scattering<T: Element>: Copy + Send + Sync {
     /// A direction distributed as the density of `lobe`, from two uniform numbers in [0, 1).
     fn sample(&self, lobe: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T>;
 
+    /// Directional albedo if it has a closed form.
+    fn closed_albedo(&self) -> Option<Rgb<T>> {
+        None
+    }
+
     /// Directional albedo: the integral of [`Scattering::eval`] over wi.
-    fn albedo(&self, wo: Vec3<T>) -> Rgb<T> {
-        quadrature::albedo(self, wo)
+    fn albedo(&self, wo: Vec3<T>) -> Rgb<T>
+    where
+        Self: Sized,
+    {
+        self.closed_albedo()
+            .unwrap_or_else(|| quadrature::albedo(self, wo))
     }
 }
 
@@ -77,8 +89,15 @@ pub trait Scattering<T: Element>: Copy + Send + Sync {
 #[inline(always)]
 pub(super) fn normalized<T: Real>(shares: PerLobe<T>) -> PerLobe<T> {
     let zero = T::new(0.0);
-    let sum = shares.into_iter().fold(zero, |sum, share| sum + share);
+    let mut sum = zero;
+    for share in shares {
+        sum = sum + share;
+    }
     let is_dark = sum.le(zero);
     let divisor = T::select(is_dark, T::new(1.0), sum);
-    shares.map(|share| T::select(is_dark, zero, share / divisor))
+    let mut probabilities = shares;
+    for probability in &mut probabilities {
+        *probability = T::select(is_dark, zero, *probability / divisor);
+    }
+    probabilities
 }

@@ -56,17 +56,21 @@ pub fn erfcx<T: Real>(x: T) -> T {
     (T::new(ERFCX[0]) + t * next - after) / (one + two * x)
 }
 
+#[inline(always)]
+fn polynomial<T: Real>(coefficients: [f64; 9], x: T) -> T {
+    let mut sum = T::new(coefficients[0]);
+    for coefficient in &coefficients[1..] {
+        sum = sum * x + T::new(*coefficient);
+    }
+    sum
+}
+
 /// The inverse of erf for x in (-1, 1), to 1e-6 of its value: Giles 2012, "Approximating the erfinv
 /// function", table 5. At -1 and 1 the finite value of the number next to it.
 #[inline(always)]
 pub fn erfinv<T: Real>(x: T) -> T {
     let one = T::new(1.0);
     let w = -((one - x) * (one + x)).max(T::new(T::EPSILON)).ln();
-    let polynomial = |coefficients: [f64; 9], w: T| {
-        let first = T::new(coefficients[0]);
-        let rest = coefficients[1..].iter();
-        rest.fold(first, |sum, c| sum * w + T::new(*c))
-    };
     let central = polynomial(
         [
             2.81022636e-08,

@@ -13,9 +13,14 @@ pub mod warp;
 
 pub(crate) use arctangent::angle_turns;
 pub(crate) use error_function::{erfcx, erfinv};
-pub use lanes::{Doubles, widest};
+#[cfg(target_arch = "x86_64")]
+pub(crate) use lanes::load_block;
+pub use lanes::{Doubles, Level, Work, widest};
 pub use real::{Mask, Real};
-pub use rgb::{Element, Entry};
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) use rgb::load_block;
+pub use rgb::{Block, Element, Entry};
+pub(crate) use rgb::{each, weighted};
 pub use vector::{Rgb, Vec3};
 
 /// The ratio of a circle's circumference to its diameter, as the formulas use it.

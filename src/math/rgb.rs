@@ -7,27 +7,94 @@
 use super::{Mask, Real};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// A real number that colours are made of.
+/// What a closure makes of each of three values. What handles lanes must be inlined into code that was
+/// compiled for their instructions; closures given to `map` on arrays are not.
+macro_rules! each {
+    ($values:expr, |$value:pat_param| $body:expr) => {{
+        let [a, b, c] = $values;
+        [
+            {
+                let $value = a;
+                $body
+            },
+            {
+                let $value = b;
+                $body
+            },
+            {
+                let $value = c;
+                $body
+            },
+        ]
+    }};
+}
+pub(crate) use each;
+
+/// A real number that colours are made of; or several side by side, one for each of as many surfaces.
 pub trait Element: Real {
     /// Three of them, with every operation applied to each.
     type Rgb: Real;
+    /// One number.
+    type Scalar: Element<Scalar = Self::Scalar>;
+    /// How many there are side by side.
+    const COUNT: usize;
+    /// The same everywhere.
+    fn splat(number: Self::Scalar) -> Self;
+    /// The numbers of a slice, which must be [`Element::COUNT`].
+    fn load(numbers: &[Self::Scalar]) -> Self;
+    /// Into a slice of [`Element::COUNT`].
+    fn store(self, numbers: &mut [Self::Scalar]);
     /// Red, green and blue.
     fn rgb(channels: [Self; 3]) -> Self::Rgb;
     /// The same in every channel.
     fn gray(self) -> Self::Rgb;
     /// Red, green and blue.
     fn channels(rgb: Self::Rgb) -> [Self; 3];
-    /// Three entries from each of three rows of a table, the first at `from`, the rows `stride` entries
-    /// apart.
-    ///
-    /// # Panics
-    /// If they are not all in the table.
-    fn load_block(table: &[Entry<Self>], from: usize, stride: usize) -> [[Self::Rgb; 3]; 3];
+    /// The same colour everywhere.
+    #[inline(always)]
+    fn splat_rgb(rgb: <Self::Scalar as Element>::Rgb) -> Self::Rgb {
+        Self::rgb(each!(Self::Scalar::channels(rgb), |channel| Self::splat(
+            channel
+        )))
+    }
     /// The entry of a table whose number is the nearest to the whole number `index`; the first for NaN.
     ///
     /// # Panics
     /// If the table is empty.
-    fn load_entry<const N: usize>(table: &[[Self; N]], index: Self) -> [Self; N];
+    fn load_entry<const N: usize>(table: &[[Self::Scalar; N]], index: Self) -> [Self; N];
+    /// The weighted sum of three entries of a table, the first at `first`, a whole number in [0, 2^22].
+    ///
+    /// # Panics
+    /// If they are not all in the table.
+    fn weighted_row(table: &[Entry<Self::Scalar>], first: Self, weights: [Self; 3]) -> Self::Rgb;
+    /// The weighted sum of a block of 3 x 3 entries of a table whose rows have `stride` entries.
+    ///
+    /// # Panics
+    /// If they are not all in the table.
+    fn weighted_block(
+        table: &[Entry<Self::Scalar>],
+        stride: usize,
+        block: Block<Self>,
+    ) -> Self::Rgb;
+}
+
+/// Which entries of a table, and their weights.
+#[derive(Clone, Copy, Debug)]
+pub struct Block<T> {
+    /// Column and row of the first, whole numbers in [0, 2^22].
+    pub first: [T; 2],
+    /// Weights of the columns.
+    pub across: [T; 3],
+    /// Weights of the rows.
+    pub along: [T; 3],
+}
+
+/// A whole number in [0, 2^22]; for others any.
+#[inline(always)]
+pub(super) fn whole(number: f32) -> usize {
+    // From 2^23 on floats are whole, and count in their lowest bits.
+    const WHOLE: f32 = 8_388_608.0;
+    ((number + WHOLE).to_bits() & 0x007f_ffff) as usize
 }
 
 /// Three channels and a filler, which must equal one of them: placed as registers take them.
@@ -43,38 +110,111 @@ impl<T: Copy> Entry<T> {
     }
 }
 
-/// Numbers whose channels have no register to share.
+/// The methods of an [`Element`] whose channels have no register to share.
+macro_rules! triple_methods {
+    () => {
+        #[inline(always)]
+        fn rgb(channels: [Self; 3]) -> Triple<Self> {
+            Triple(channels)
+        }
+        #[inline(always)]
+        fn gray(self) -> Triple<Self> {
+            Triple([self; 3])
+        }
+        #[inline(always)]
+        fn channels(rgb: Triple<Self>) -> [Self; 3] {
+            rgb.0
+        }
+    };
+}
+pub(super) use triple_methods;
+
+/// The methods of an [`Element`] that is one number.
+macro_rules! scalar_methods {
+    () => {
+        type Scalar = Self;
+        const COUNT: usize = 1;
+        #[inline(always)]
+        fn splat(number: Self) -> Self {
+            number
+        }
+        #[inline(always)]
+        fn load(numbers: &[Self]) -> Self {
+            numbers[0]
+        }
+        #[inline(always)]
+        fn store(self, numbers: &mut [Self]) {
+            numbers[0] = self;
+        }
+        #[inline(always)]
+        fn splat_rgb(rgb: Self::Rgb) -> Self::Rgb {
+            rgb
+        }
+        #[inline(always)]
+        fn load_entry<const N: usize>(table: &[[Self; N]], index: Self) -> [Self; N] {
+            table[(index as usize).min(table.len() - 1)]
+        }
+    };
+}
+pub(super) use scalar_methods;
+
+/// The sum of three, each times its weight.
+#[inline(always)]
+pub(crate) fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
+    a * u + b * v + c * w
+}
+
+/// A number whose channels have no register to share.
 macro_rules! side_by_side {
     ($t:ty) => {
         impl Element for $t {
-            type Rgb = Triple<$t>;
+            type Rgb = Triple<Self>;
+            triple_methods!();
+            scalar_methods!();
             #[inline(always)]
-            fn rgb(channels: [$t; 3]) -> Triple<$t> {
-                Triple(channels)
+            fn weighted_row(
+                table: &[Entry<Self>],
+                first: Self,
+                weights: [Self; 3],
+            ) -> Triple<Self> {
+                let [row, ..] = load_block(table, first as usize, 0);
+                weighted(row, weights.map(Self::gray))
             }
             #[inline(always)]
-            fn gray(self) -> Triple<$t> {
-                Triple([self; 3])
-            }
-            #[inline(always)]
-            fn channels(rgb: Triple<$t>) -> [$t; 3] {
-                rgb.0
-            }
-            #[inline(always)]
-            fn load_block(table: &[Entry<$t>], from: usize, stride: usize) -> [[Triple<$t>; 3]; 3] {
-                std::array::from_fn(|row| {
-                    std::array::from_fn(|entry| {
-                        let [r, g, b, _] = table[from + row * stride + entry].0;
-                        Triple([r, g, b])
-                    })
-                })
-            }
-            #[inline(always)]
-            fn load_entry<const N: usize>(table: &[[$t; N]], index: $t) -> [$t; N] {
-                table[(index as usize).min(table.len() - 1)]
+            fn weighted_block(
+                table: &[Entry<Self>],
+                stride: usize,
+                block: Block<Self>,
+            ) -> Triple<Self> {
+                let [column, row] = block.first.map(|number| number as usize);
+                let rows = load_block(table, row * stride + column, stride);
+                let across = block.across.map(Self::gray);
+                weighted(
+                    rows.map(|row| weighted(row, across)),
+                    block.along.map(Self::gray),
+                )
             }
         }
     };
+}
+
+/// Three entries from each of three rows of a table, the first at `from`, the rows `stride` entries
+/// apart. For single precision on x86-64 there is another.
+///
+/// # Panics
+/// If they are not all in the table.
+#[inline(always)]
+pub(crate) fn load_block<T: Copy>(
+    table: &[Entry<T>],
+    from: usize,
+    stride: usize,
+) -> [[Triple<T>; 3]; 3] {
+    std::array::from_fn(|row| {
+        std::array::from_fn(|entry| {
+            let [r, g, b, _] = table[from + row * stride + entry].0;
+            Triple([r, g, b])
+        })
+    })
 }
 
 side_by_side!(f64);
@@ -85,16 +225,19 @@ side_by_side!(f32);
 #[derive(Clone, Copy, Debug)]
 pub struct Triple<T>(pub [T; 3]);
 
-impl<T: Copy> Triple<T> {
-    #[inline(always)]
-    fn map<U>(self, f: impl Fn(T) -> U) -> Triple<U> {
-        Triple(self.0.map(f))
-    }
-
-    #[inline(always)]
-    fn zip<U: Copy, V>(self, other: Triple<U>, f: impl Fn(T, U) -> V) -> Triple<V> {
-        Triple(std::array::from_fn(|c| f(self.0[c], other.0[c])))
-    }
+/// `$f` of each channel of one or of two triples. Not by a function of functions: those that handle lanes
+/// must be named where they are called, or they are not inlined.
+macro_rules! per_channel {
+    ($f:expr, $a:expr) => {
+        Triple([$f($a.0[0]), $f($a.0[1]), $f($a.0[2])])
+    };
+    ($f:expr, $a:expr, $b:expr) => {
+        Triple([
+            $f($a.0[0], $b.0[0]),
+            $f($a.0[1], $b.0[1]),
+            $f($a.0[2], $b.0[2]),
+        ])
+    };
 }
 
 macro_rules! channelwise_operator {
@@ -103,7 +246,7 @@ macro_rules! channelwise_operator {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.zip(other, |a, b| a.$method(b))
+                per_channel!(T::$method, self, other)
             }
         }
     };
@@ -120,7 +263,7 @@ impl<T: Neg<Output = T> + Copy> Neg for Triple<T> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        self.map(T::neg)
+        per_channel!(T::neg, self)
     }
 }
 
@@ -128,14 +271,14 @@ impl<T: Not<Output = T> + Copy> Not for Triple<T> {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
-        self.map(T::not)
+        per_channel!(T::not, self)
     }
 }
 
 impl<M: Mask> Mask for Triple<M> {
     #[inline(always)]
     fn any(self) -> bool {
-        self.0.into_iter().any(M::any)
+        self.0[0].any() | self.0[1].any() | self.0[2].any()
     }
 }
 
@@ -144,7 +287,7 @@ macro_rules! channelwise {
         $(
             #[inline(always)]
             fn $method(self) -> Self {
-                self.map(T::$method)
+                per_channel!(T::$method, self)
             }
         )*
     };
@@ -163,32 +306,31 @@ impl<T: Real> Real for Triple<T> {
     );
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        self.zip(other, T::min)
+        per_channel!(T::min, self, other)
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        self.zip(other, T::max)
+        per_channel!(T::max, self, other)
     }
     #[inline(always)]
     fn is_finite(self) -> Self::Mask {
-        self.map(T::is_finite)
+        per_channel!(T::is_finite, self)
     }
     #[inline(always)]
     fn lt(self, other: Self) -> Self::Mask {
-        self.zip(other, T::lt)
+        per_channel!(T::lt, self, other)
     }
     #[inline(always)]
     fn le(self, other: Self) -> Self::Mask {
-        self.zip(other, T::le)
+        per_channel!(T::le, self, other)
     }
     #[inline(always)]
     fn equals(self, other: Self) -> Self::Mask {
-        self.zip(other, T::equals)
+        per_channel!(T::equals, self, other)
     }
     #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
-        Self(std::array::from_fn(|c| {
-            T::select(mask.0[c], yes.0[c], no.0[c])
-        }))
+        let (Self(yes), Self(no)) = (yes, no);
+        Self(each!([0, 1, 2], |c| T::select(mask.0[c], yes[c], no[c])))
     }
 }

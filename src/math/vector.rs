@@ -112,6 +112,18 @@ impl<T: Real> Vec3<T> {
             .plus(self.scaled(local.z))
     }
 
+    /// The unit vector along this one, and whether there is one with z > 0. Scaled by its largest component
+    /// first, since the square of a large or a small number may leave the range of the type.
+    #[inline(always)]
+    pub fn upward(self) -> (Self, T::Mask) {
+        let zero = T::new(0.0);
+        let largest = self.x.abs().max(self.y.abs()).max(self.z.abs());
+        let inverse = T::new(1.0) / largest;
+        let unit = self.scaled(inverse).normalized();
+        let is_upward = self.z.gt(zero) & inverse.is_finite() & unit.z.gt(zero);
+        (unit, is_upward)
+    }
+
     /// `yes` where the mask is set, `no` elsewhere.
     #[inline(always)]
     pub fn select(mask: T::Mask, yes: Self, no: Self) -> Self {

@@ -40,8 +40,9 @@ pub fn dielectric_reflectance<T: Real>(cos_theta: T, eta: T) -> T {
     let q = q_squared.sqrt_positive();
     let along = eta.squared() * cos_theta;
     let is_matched = excess.equals(zero);
-    let ratio = |a: T| ((a - q) / T::select(is_matched, one, a + q)).squared();
-    let reflectance = (ratio(cos_theta) + ratio(along)) * half;
+    let across = (cos_theta - q) / T::select(is_matched, one, cos_theta + q);
+    let along = (along - q) / T::select(is_matched, one, along + q);
+    let reflectance = (across.squared() + along.squared()) * half;
     let reflectance = T::select(q_squared.le(zero), one, reflectance);
     T::select(is_matched, zero, reflectance)
 }
@@ -62,10 +63,16 @@ pub fn conductor_reflectance<T: Real>(cos_theta: T, eta: T, k: T) -> T {
     let q = (excess + Complex::real(cos_theta.squared())).sqrt_upper();
     let is_matched = excess.equals(Complex::real(zero));
     let along = (excess + Complex::real(one)).scaled(cos_theta);
-    let ratio =
-        |a: Complex<T>| (a - q).norm_squared() / T::select(is_matched, one, (a + q).norm_squared());
-    let reflectance = (ratio(Complex::real(cos_theta)) + ratio(along)) * half;
+    let across = reflected_part(Complex::real(cos_theta), q, is_matched);
+    let reflectance = (across + reflected_part(along, q, is_matched)) * half;
     T::select(is_matched, zero, reflectance)
+}
+
+/// |(a - q) / (a + q)|^2, or anything where the media are matched.
+#[inline(always)]
+fn reflected_part<T: Real>(a: Complex<T>, q: Complex<T>, is_matched: T::Mask) -> T {
+    let divisor = T::select(is_matched, T::new(1.0), (a + q).norm_squared());
+    (a - q).norm_squared() / divisor
 }
 
 #[cfg(test)]

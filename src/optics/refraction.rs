@@ -64,6 +64,15 @@ impl<T: Real> Interface<T> {
 }
 
 impl<C: Real> Interface<C> {
+    /// With both numbers changed.
+    #[inline(always)]
+    pub(crate) fn map<D>(&self, f: impl Fn(C) -> D) -> Interface<D> {
+        Interface {
+            ratio: f(self.ratio),
+            complement: f(self.complement),
+        }
+    }
+
     /// One channel of an interface with an index per channel.
     #[inline(always)]
     pub fn channel<T: Element<Rgb = C>>(&self, c: usize) -> Interface<T> {

@@ -1,13 +1,15 @@
 //! The formulas of the layered model, eq. 1-16, in both variants.
 
+use super::super::mixture::Surfaces;
 use super::super::power_lobe::{conserving_normalization, power_of_cosine};
+use super::super::precision::Precision;
 use super::super::values::Values;
 use super::{
     AMBIENT_ETA, BASE, BASE_NORMAL, DIFFUSE_WEIGHT, ETA, EXPONENT_REFLECTION,
     EXPONENT_TRANSMISSION, PHASE_SHIFT, PHASE_SHIFT_HALF_WAVE, SPECULAR_WEIGHT, THICKNESS_NM,
     VARIANT, VARIANT_PAPER,
 };
-use crate::math::{Element, PI, Real, Rgb, Vec3};
+use crate::math::{Element, PI, Real, Rgb, Vec3, each};
 use crate::optics::{
     Interface, RGB_WAVELENGTHS_NM, normal_reflectance, schlick, schlick_transmittance,
 };
@@ -77,8 +79,39 @@ pub(super) struct Shapes<T: Element> {
     pub cos_io: T::Rgb,
 }
 
+impl<T: Precision> Surfaces<T> for Prepared<T> {
+    type Surface<'a, L: Element<Scalar = T>> = Prepared<L>;
+
+    #[inline(always)]
+    fn surface<L: Element<Scalar = T>>(&self) -> Prepared<L> {
+        let [nx, ny, nz] = each!(self.base_normal.to_array(), |number| L::splat(number));
+        Prepared {
+            interface: self.interface.map(L::splat_rgb),
+            f0: L::splat_rgb(self.f0),
+            base: L::splat_rgb(self.base),
+            compression: L::splat_rgb(self.compression),
+            exponent_reflection: L::splat(self.exponent_reflection),
+            exponent_transmission: L::splat(self.exponent_transmission),
+            base_normal: Vec3::new(nx, ny, nz),
+            specular_weight: L::splat(self.specular_weight),
+            diffuse_weight: L::splat(self.diffuse_weight),
+            is_paper: self.is_paper,
+            scale_reflection: L::splat(self.scale_reflection),
+            scale_transmission: L::splat(self.scale_transmission),
+            rho_d: L::splat_rgb(self.rho_d),
+            turns_per_nm: L::splat_rgb(self.turns_per_nm),
+            diffuse_contrast: L::splat_rgb(self.diffuse_contrast),
+            thickness_nm: L::splat(self.thickness_nm),
+            phase_shift: L::splat(self.phase_shift),
+        }
+    }
+}
+
 impl<T: Element> Prepared<T> {
-    pub(super) fn new(values: &Values<T>) -> Self {
+    pub(super) fn new(values: &Values<T>) -> Self
+    where
+        T: Precision,
+    {
         let one = T::Rgb::new(1.0);
         let r0 = values.number(AMBIENT_ETA).gray();
         let r1 = T::rgb(values.rgb(ETA));

@@ -34,7 +34,7 @@
 mod surface;
 
 use super::info::{LobeInfo, ModelInfo, ParamInfo};
-use super::mixture::PerCall;
+use super::mixture::Mixture;
 use super::precision::Precision;
 use super::scattering::{Compiled, Model};
 use super::values::Values;
@@ -82,6 +82,6 @@ impl Model for MetallicRoughness {
     };
 
     fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(PerCall(Prepared::new(values))))
+        Ok(Box::new(Mixture(Prepared::new(values))))
     }
 }

@@ -5,7 +5,6 @@ use super::{
     OREN_NAYAR, ROUGHNESS, SPECULAR, SPECULAR_LOBE,
 };
 use crate::lobe::disney_diffuse;
-use crate::lobe::kernel::Override;
 use crate::lobe::microfacet::distribution::Normals;
 use crate::lobe::microfacet::energy::{Albedo, Energy, LEAST_ALPHA, Reflected, Row};
 use crate::lobe::microfacet::ggx::Ggx;
@@ -89,18 +88,27 @@ impl<T: Precision> Prepared<T> {
 }
 
 impl<T: Precision> Surfaces<T> for Prepared<T> {
-    type Surface<'a> = Surface<'a, T>;
+    type Surface<'a, L: Element<Scalar = T>> = Surface<'a, L>;
 
     #[inline(always)]
-    fn surface(&self, overrides: &[Override<T>]) -> Surface<'_, T> {
-        let mut surface = Surface {
+    fn surface<L: Element<Scalar = T>>(&self) -> Surface<'_, L> {
+        let settings = &self.settings;
+        Surface {
             energy: &self.energy,
-            settings: self.settings,
-        };
-        for change in overrides {
-            surface.vary(change.param, change.value);
+            settings: Settings {
+                base_color: L::splat_rgb(settings.base_color),
+                metallic: L::splat(settings.metallic),
+                alpha: L::splat(settings.alpha),
+                row: settings.row.splat(),
+                is_by_index: settings.is_by_index,
+                f0: L::splat(settings.f0),
+                diffuse: match &settings.diffuse {
+                    Diffuse::Lambert => Diffuse::Lambert,
+                    Diffuse::OrenNayar(facets) => Diffuse::OrenNayar(facets.splat()),
+                    Diffuse::Disney(roughness) => Diffuse::Disney(L::splat(*roughness)),
+                },
+            },
         }
-        surface
     }
 }
 
@@ -109,14 +117,13 @@ fn alpha_of<T: Real>(roughness: T) -> T {
     roughness.squared().max(T::new(LEAST_ALPHA))
 }
 
-/// A surface for one call.
-#[derive(Clone, Copy)]
+/// A surface for one call, or as many as there are lanes.
 pub(super) struct Surface<'a, T: Element> {
-    energy: &'a Energy<T>,
+    energy: &'a Energy<T::Scalar>,
     settings: Settings<T>,
 }
 
-impl<T: Precision> Surface<'_, T> {
+impl<P: Precision, T: Element<Scalar = P>> Surface<'_, T> {
     /// F0 of the highlight: from the dielectric's to the base colour.
     #[inline(always)]
     fn specular_f0(&self) -> T::Rgb {
@@ -172,7 +179,7 @@ impl<T: Precision> Surface<'_, T> {
     }
 }
 
-impl<T: Precision> Scattering<T> for Surface<'_, T> {
+impl<P: Precision, T: Element<Scalar = P>> Scattering<T> for Surface<'_, T> {
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [T; 3]) {
         let settings = &mut self.settings;
@@ -205,7 +212,8 @@ impl<T: Precision> Scattering<T> for Surface<'_, T> {
         let alpha = self.settings.alpha;
         let normals = Ggx::isotropic(alpha);
         let pair = Pair::new(wo, wi);
-        let masking = Masking::Smith.factor(&normals, [alpha; 2], &pair);
+        let masking =
+            Masking::Smith.factor(Masking::Smith.areas(&normals, &pair), [alpha; 2], &pair);
         let highlight = normals.density(pair.h) * masking;
         let fresnel = schlick(self.specular_f0(), pair.cos_half.gray());
         let diffuse = self.diffuse(wo, wi) * self.coupling(wo, wi).gray();

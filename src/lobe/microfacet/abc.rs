@@ -4,7 +4,7 @@
 
 use super::slopes::{matched_width, sin_squared, slope_density};
 use super::tabulated::{Profile, Tabulated, height};
-use crate::math::{Element, Vec3};
+use crate::math::{Element, Vec3, each};
 
 /// D(h) = A / (1 + B (1 - h.z))^C.
 ///
@@ -27,7 +27,7 @@ use crate::math::{Element, Vec3};
 /// closed form: normals are drawn by table.
 pub(crate) type Abc<T> = Tabulated<T, Lobe<T>>;
 
-impl<T: Element> Abc<T> {
+impl<T: Element<Scalar = T>> Abc<T> {
     /// With its tables.
     pub(crate) fn of(alpha: f64, exponent: f64) -> Self {
         let (a, b) = (height(alpha), width(alpha, exponent));
@@ -64,13 +64,13 @@ impl<T: Element> Lobe<T> {
     }
 }
 
-impl<T: Element> Profile<T> for Lobe<T> {
+impl<T: Element<Scalar = T>> Profile<T> for Lobe<T> {
     /// 1 - h.z is sin^2 / (1 + h.z), which keeps its digits.
     #[inline(always)]
-    fn density(&self, h: Vec3<T>) -> T {
-        let one = T::new(1.0);
-        let complement = sin_squared(h) / (one + h.z);
-        let density = self.a * (-(self.c * (self.b * complement).ln_1p())).exp();
-        T::select(h.z.gt(T::new(0.0)), density, T::new(0.0))
+    fn density<L: Element<Scalar = T>>(&self, h: Vec3<L>) -> L {
+        let [a, b, c] = each!([self.a, self.b, self.c], |number| L::splat(number));
+        let complement = sin_squared(h) / (L::new(1.0) + h.z);
+        let density = a * (-(c * (b * complement).ln_1p())).exp();
+        L::select(h.z.gt(L::new(0.0)), density, L::new(0.0))
     }
 }

@@ -24,6 +24,16 @@ fn half_erfc<T: Real>(x: T, gaussian: T) -> T {
     T::new(0.5) * gaussian * erfcx(x)
 }
 
+/// The integral in [`visible_slope`] up to x, and its derivative.
+#[inline(always)]
+fn seen_below<T: Real>(cos: T, sin: T, x: T) -> (T, T) {
+    let gaussian = (-x.squared()).exp();
+    let tail = half_erfc(x.abs(), gaussian);
+    let below = T::select(x.lt(T::new(0.0)), tail, T::new(1.0) - tail);
+    let value = cos * below + sin * gaussian * T::new(0.5 * INVERSE_SQRT_PI);
+    (value, (cos - x * sin) * gaussian * T::new(INVERSE_SQRT_PI))
+}
+
 /// The slope along the view, of alpha = 1, of visible normals for a view with the given cosine and
 /// sine: the inverse at `u` of the integral of max(0, cos - x sin) e^(-x^2) / sqrt(pi) from -infinity
 /// to x, which is cos erfc(-x) / 2 + sin e^(-x^2) / (2 sqrt(pi)). Jakob 2014, "An Improved Visible
@@ -33,13 +43,6 @@ fn half_erfc<T: Real>(x: T, gaussian: T) -> T {
 #[inline(always)]
 fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
     let (zero, one, half) = (T::new(0.0), T::new(1.0), T::new(0.5));
-    let integral = |x: T| {
-        let gaussian = (-x.squared()).exp();
-        let tail = half_erfc(x.abs(), gaussian);
-        let below = T::select(x.lt(zero), tail, one - tail);
-        let value = cos * below + sin * gaussian * T::new(0.5 * INVERSE_SQRT_PI);
-        (value, (cos - x * sin) * gaussian * T::new(INVERSE_SQRT_PI))
-    };
     let mut low = T::new(-STEEPEST);
     // The steepest slope that is seen has tan = cos / sin.
     let is_seen_whole = (sin * T::new(STEEPEST)).le(cos);
@@ -48,22 +51,25 @@ fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
         T::new(STEEPEST),
         cos / T::select(is_seen_whole, one, sin),
     );
-    let target = u * integral(high).0;
+    let target = u * seen_below(cos, sin, high).0;
     // Seen from above the slopes are normally distributed; from the horizon u = e^(-x^2), x < 0.
     let from_above = erfinv(u + u - one);
     let from_horizon = -(-u.max(T::new(T::EPSILON)).ln()).sqrt_positive();
     let mut x = from_horizon + cos.squared() * (from_above - from_horizon);
     x = x.max(low).min(high);
+    // Numbers side by side stop each at its own step, as they would alone.
+    let mut is_open = zero.equals(zero);
     for _ in 0..GREATEST_STEPS {
-        let (value, slope) = integral(x);
+        let (value, slope) = seen_below(cos, sin, x);
         let is_above = value.gt(target);
         (low, high) = (T::select(is_above, low, x), T::select(is_above, x, high));
         let newton = x - (value - target) / T::select(slope.gt(zero), slope, one);
         let is_inside = slope.gt(zero) & newton.ge(low) & newton.le(high);
         let next = T::select(is_inside, newton, (low + high) * half);
         let step = (next - x).abs();
-        x = next;
-        if !step.gt(T::new(LAST_STEP)).any() {
+        x = T::select(is_open, next, x);
+        is_open = is_open & step.gt(T::new(LAST_STEP));
+        if !is_open.any() {
             break;
         }
     }

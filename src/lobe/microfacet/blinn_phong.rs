@@ -20,7 +20,7 @@ pub(crate) struct BlinnPhong<T> {
     projected: Projected<T>,
 }
 
-impl<T: Element> BlinnPhong<T> {
+impl<T: Element<Scalar = T>> BlinnPhong<T> {
     /// With its table.
     pub(crate) fn new(alpha: f64) -> Self {
         let lobe = Power::new(alpha);
@@ -38,7 +38,7 @@ struct Power<T> {
     half_exponent: T,
 }
 
-impl<T: Element> Power<T> {
+impl<T: Element<Scalar = T>> Power<T> {
     fn new(alpha: f64) -> Self {
         let inverse = 1.0 / (alpha * alpha);
         Self {
@@ -48,20 +48,21 @@ impl<T: Element> Power<T> {
     }
 
     #[inline(always)]
-    fn density(&self, h: Vec3<T>) -> T {
-        let density = self.at_normal * (self.half_exponent * ln_cos_squared(h)).exp();
-        T::select(h.z.gt(T::new(0.0)), density, T::new(0.0))
+    fn density<L: Element<Scalar = T>>(&self, h: Vec3<L>) -> L {
+        let exponent = L::splat(self.half_exponent) * ln_cos_squared(h);
+        let density = L::splat(self.at_normal) * exponent.exp();
+        L::select(h.z.gt(L::new(0.0)), density, L::new(0.0))
     }
 }
 
-impl<T: Element> Normals<T> for &BlinnPhong<T> {
+impl<T: Element<Scalar = T>, L: Element<Scalar = T>> Normals<L> for &BlinnPhong<T> {
     #[inline(always)]
-    fn density(&self, h: Vec3<T>) -> T {
+    fn density(&self, h: Vec3<L>) -> L {
         self.lobe.density(h)
     }
 
     #[inline(always)]
-    fn averted_area(&self, w: Vec3<T>) -> T {
+    fn averted_area(&self, w: Vec3<L>) -> L {
         self.projected.averted_area(w)
     }
 
@@ -69,16 +70,16 @@ impl<T: Element> Normals<T> for &BlinnPhong<T> {
     /// is inverted: Walter et al. 2007, eq. 31 and 32. sin^2 comes from expm1, as 1 - h.z^2 has lost its
     /// digits.
     #[inline(always)]
-    fn sample(&self, _wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
-        let ln_cos_squared = self.alpha_squared * (-u[0]).ln_1p();
+    fn sample(&self, _wo: Vec3<L>, u: [L; 2]) -> Vec3<L> {
+        let ln_cos_squared = L::splat(self.alpha_squared) * (-u[0]).ln_1p();
         let sine = (-ln_cos_squared.exp_m1()).sqrt_positive();
-        let cosine = (ln_cos_squared * T::new(0.5)).exp();
+        let cosine = (ln_cos_squared * L::new(0.5)).exp();
         Vec3::new(sine * u[1].cos_turns(), sine * u[1].sin_turns(), cosine)
     }
 
     /// D(h) h.z
     #[inline(always)]
-    fn sample_density(&self, _wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) * h.z
+    fn sample_density(&self, _wo: Vec3<L>, h: Vec3<L>) -> L {
+        self.lobe.density(h) * h.z
     }
 }

@@ -20,7 +20,7 @@ use super::fresnel::{Facets, Fresnel};
 use crate::error::Error;
 use crate::film::Film;
 use crate::lobe::precision::Precision;
-use crate::math::{Element, Rgb, Vec3, warp};
+use crate::math::{Element, Rgb, Vec3, each, warp};
 
 /// Least divisor 1 - Eavg, a tenth of the table's error: of smoother surfaces there is nothing to give
 /// back.
@@ -35,7 +35,7 @@ pub(super) struct Compensation<T> {
 /// The lobe for one call.
 #[derive(Clone, Copy)]
 pub(super) struct Returned<'a, T: Element> {
-    energy: &'a Energy<T>,
+    energy: &'a Energy<T::Scalar>,
     row: Row<T>,
     /// Colour over 1 - Eavg.
     color: Rgb<T>,
@@ -43,13 +43,17 @@ pub(super) struct Returned<'a, T: Element> {
 
 impl<T: Precision> Compensation<T> {
     #[inline(always)]
-    pub fn returned(&self, alpha: T, fresnel: &Fresnel<'_, T>) -> Returned<'_, T> {
-        let one = T::new(1.0);
+    pub fn returned<L: Element<Scalar = T>>(
+        &self,
+        alpha: L,
+        fresnel: &Fresnel<'_, L>,
+    ) -> Returned<'_, L> {
+        let one = L::new(1.0);
         let row = self.energy.row(alpha);
         let escaping = row.mean.whole;
         let lost = one - escaping;
-        let divisor = lost.max(T::new(LEAST_LOSS));
-        let color = self.average.of(fresnel).map(|mean| {
+        let divisor = lost.max(L::new(LEAST_LOSS));
+        let color = each!(self.average.of(fresnel), |mean| {
             let sum = mean.squared() * escaping / (one - mean * lost);
             sum / divisor
         });
@@ -61,26 +65,31 @@ impl<T: Precision> Compensation<T> {
     }
 }
 
-impl<T: Precision> Returned<'_, T> {
+impl<T: Precision, L: Element<Scalar = T>> Returned<'_, L> {
     /// E for F = 1.
     #[inline(always)]
-    pub fn albedo(&self, cos_theta: T) -> T {
+    pub fn albedo(&self, cos_theta: L) -> L {
         self.energy.albedo(&self.row, cos_theta).whole
+    }
+
+    /// 1 - E
+    #[inline(always)]
+    fn lost(&self, w: Vec3<L>) -> L {
+        L::new(1.0) - self.albedo(w.z)
     }
 
     /// f(wo, wi) |wi.z|
     #[inline(always)]
-    pub fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
-        let lost = |w: Vec3<T>| T::new(1.0) - self.albedo(w.z);
-        let factor = lost(wo) * lost(wi) * warp::cosine_hemisphere_pdf(wi.z);
-        self.color.map(|color| color * factor)
+    pub fn eval(&self, wo: Vec3<L>, wi: Vec3<L>) -> Rgb<L> {
+        let factor = self.lost(wo) * self.lost(wi) * warp::cosine_hemisphere_pdf(wi.z);
+        each!(self.color, |color| color * factor)
     }
 
     /// Its albedo for that viewer, but for the divisor's bound.
     #[inline(always)]
-    pub fn share(&self, wo: Vec3<T>) -> T {
+    pub fn share(&self, wo: Vec3<L>) -> L {
         let escaping = self.row.mean.whole;
-        let lost = (T::new(1.0) - self.albedo(wo.z)) * (T::new(1.0) - escaping);
+        let lost = self.lost(wo) * (L::new(1.0) - escaping);
         crate::lobe::power_lobe::mean(self.color) * lost
     }
 }
@@ -92,31 +101,29 @@ pub(super) enum Average<T> {
     /// Of what does not vary.
     Constant(Rgb<T>),
     /// Over the film's thickness.
-    Film(Thicknesses),
+    Film(Thicknesses<T>),
 }
 
 impl<T: Precision> Average<T> {
     /// Fails for want of memory.
     pub fn new(facets: &Facets<T>, is_film_varying: bool) -> Result<Self, Error> {
         Ok(match facets {
-            Facets::Bare(Fresnel::Schlick { .. }) => Self::Schlick,
+            Facets::Schlick { .. } => Self::Schlick,
             Facets::Film { film, .. } if is_film_varying => Self::Film(Thicknesses::new(film)?),
             _ => Self::Constant(mean_reflectance(&facets.fresnel())),
         })
     }
 
     #[inline(always)]
-    fn of(&self, fresnel: &Fresnel<'_, T>) -> Rgb<T> {
+    fn of<L: Element<Scalar = T>>(&self, fresnel: &Fresnel<'_, L>) -> Rgb<L> {
         match (self, fresnel) {
-            (Self::Constant(mean), _) => *mean,
-            (Self::Film(table), Fresnel::Film { thickness_nm, .. }) => table
-                .at(*thickness_nm)
-                .map(|channel| T::new(f64::from(channel))),
+            (Self::Constant(mean), _) => each!(*mean, |channel| L::splat(channel)),
+            (Self::Film(table), Fresnel::Film { thickness_nm, .. }) => table.at(*thickness_nm),
             (_, Fresnel::Schlick { f0, f90 }) => {
-                T::channels(*f0 + (*f90 - *f0) * T::new(1.0 / 21.0).gray())
+                L::channels(*f0 + (*f90 - *f0) * L::new(1.0 / 21.0).gray())
             }
             // No other pair is ever made.
-            _ => [T::new(0.0); 3],
+            _ => [L::new(0.0); 3],
         }
     }
 }
@@ -143,37 +150,43 @@ const STEP_NM: f64 = 5.0;
 const MOST_NODES: f64 = 4096.0;
 
 /// The mean reflectance at equally spaced thicknesses of the film's varying layer.
-pub(super) struct Thicknesses {
-    from: f32,
-    per_nm: f32,
-    nodes: Box<[Rgb<f32>]>,
+pub(super) struct Thicknesses<T> {
+    from: T,
+    per_nm: T,
+    nodes: Box<[Rgb<T>]>,
 }
 
-impl Thicknesses {
+impl<T: Precision> Thicknesses<T> {
     fn new(film: &Film) -> Result<Self, Error> {
         let [from, to] = film.varying_thickness_nm().unwrap_or_default();
         let pieces = ((to - from) / STEP_NM).ceil().clamp(1.0, MOST_NODES - 1.0);
         let count = pieces as usize + 1;
         let mut nodes = Error::reserve(count, "a film's mean reflectance")?;
         nodes.extend((0..count).map(|i| {
-            let thickness_nm = (from + (to - from) * i as f64 / pieces) as f32;
-            mean_reflectance::<f32>(&Fresnel::Film { film, thickness_nm })
+            let thickness_nm = T::new(from + (to - from) * i as f64 / pieces);
+            mean_reflectance(&Fresnel::Film { film, thickness_nm })
         }));
         Ok(Self {
-            from: from as f32,
-            per_nm: (pieces / (to - from)) as f32,
+            from: T::new(from),
+            per_nm: T::new(pieces / (to - from)),
             nodes: nodes.into(),
         })
     }
 
     /// Linear between the nodes; a thickness outside the range counts as its end.
     #[inline(always)]
-    fn at(&self, thickness_nm: f32) -> Rgb<f32> {
-        let last = self.nodes.len() - 2;
-        let position = ((thickness_nm - self.from) * self.per_nm).max(0.0);
-        let node = (position as usize).min(last);
-        let part = (position - node as f32).min(1.0);
-        let [a, b] = [self.nodes[node], self.nodes[node + 1]];
-        std::array::from_fn(|channel| a[channel] + (b[channel] - a[channel]) * part)
+    fn at<L: Element<Scalar = T>>(&self, thickness_nm: L) -> Rgb<L> {
+        let (zero, half, one) = (L::new(0.0), L::new(0.5), L::new(1.0));
+        let last = L::new((self.nodes.len() - 2) as f64);
+        let position = ((thickness_nm - L::splat(self.from)) * L::splat(self.per_nm)).max(zero);
+        // At a node either piece will do.
+        let node = (position - half).round().max(zero).min(last);
+        let part = (position - node).min(one);
+        let [a, b] = [
+            L::load_entry(&self.nodes, node),
+            L::load_entry(&self.nodes, node + one),
+        ];
+        each!([0, 1, 2], |channel| a[channel]
+            + (b[channel] - a[channel]) * part)
     }
 }

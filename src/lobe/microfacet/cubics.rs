@@ -9,7 +9,7 @@ pub(super) struct Cubics<T, const N: usize> {
     pieces: [[T; 4]; N],
 }
 
-impl<T: Element, const N: usize> Cubics<T, N> {
+impl<T: Element<Scalar = T>, const N: usize> Cubics<T, N> {
     /// Through value and slope at the N + 1 whole positions (Hermite's interpolation).
     pub(super) fn new(knots: &[[f64; 2]]) -> Self {
         let pieces = std::array::from_fn(|k| {
@@ -24,14 +24,14 @@ impl<T: Element, const N: usize> Cubics<T, N> {
 
     /// The value at a position; outside [0, N] the value at the nearer end.
     #[inline(always)]
-    pub(super) fn at(&self, position: T) -> T {
-        let zero = T::new(0.0);
-        let position = position.max(zero).min(T::new(N as f64));
+    pub(super) fn at<L: Element<Scalar = T>>(&self, position: L) -> L {
+        let zero = L::new(0.0);
+        let position = position.max(zero).min(L::new(N as f64));
         // At a whole position either piece will do.
-        let piece = (position - T::new(0.5)).round().max(zero);
-        let piece = piece.min(T::new((N - 1) as f64));
+        let piece = (position - L::new(0.5)).round().max(zero);
+        let piece = piece.min(L::new((N - 1) as f64));
         let x = position - piece;
-        let [value, slope, square, cube] = T::load_entry(&self.pieces, piece);
+        let [value, slope, square, cube] = L::load_entry(&self.pieces, piece);
         value + x * (slope + x * (square + x * cube))
     }
 }

@@ -54,17 +54,17 @@ pub(super) fn stretched<T: Element>(w: Vec3<T>, alpha: [T; 2]) -> Vec3<T> {
 
 /// One of the distributions.
 #[derive(Clone, Copy)]
-pub(crate) enum Distribution<'a, T> {
+pub(crate) enum Distribution<'a, T: Element> {
     /// [`Ggx`]
     Ggx(Ggx<T>),
     /// [`Beckmann`]
     Beckmann(Beckmann<T>),
     /// [`BlinnPhong`]
-    BlinnPhong(&'a BlinnPhong<T>),
+    BlinnPhong(&'a BlinnPhong<T::Scalar>),
     /// [`Abc`]
-    Abc(&'a Abc<T>),
+    Abc(&'a Abc<T::Scalar>),
     /// [`Sgd`]
-    Sgd(&'a Sgd<T>),
+    Sgd(&'a Sgd<T::Scalar>),
 }
 
 /// An expression in the normals of whichever distribution it is: the choice is made once per call.

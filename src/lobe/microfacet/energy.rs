@@ -27,7 +27,7 @@ use super::distribution::Normals;
 use super::masking::{Masking, Pair};
 use crate::lobe::precision::Precision;
 use crate::math::spline::{controls, weights};
-use crate::math::{Element, Entry, Real, Rgb, Vec3};
+use crate::math::{Block, Element, Entry, Real, Rgb, Vec3, each};
 
 /// Values along the cosine and, if there is more than one, along alpha.
 const COSINES: usize = 20;
@@ -89,7 +89,8 @@ impl<T: Element> Reflected<T> {
         let is_above = wi.z.gt(zero);
         let pair = Pair::new(wo, Vec3::select(is_above, wi, wo));
         let density = normals.reflected_density(wo, pair.h, pair.cos_half);
-        let value = normals.density(pair.h) * masking.factor(normals, alpha, &pair);
+        let value =
+            normals.density(pair.h) * masking.factor(masking.areas(normals, &pair), alpha, &pair);
         let is_usable = is_above & density.gt(zero);
         let weight = value / T::select(is_usable, density, T::new(1.0));
         Self {
@@ -147,43 +148,43 @@ impl<T: Precision> Energy<T> {
 
     /// Where the table has one alpha: within [1e-4, 1], or the one it was made for.
     #[inline(always)]
-    pub fn row(&self, alpha: T) -> Row<T> {
+    pub fn row<L: Element<Scalar = T>>(&self, alpha: L) -> Row<L> {
         let (first, along) = if self.is_fixed {
-            (0, weights(T::new(0.0)))
+            (L::new(0.0), weights(L::new(0.0)))
         } else {
-            let least = T::new(LEAST_ALPHA.cbrt());
-            let step = T::new((ALPHAS - 1) as f64 / (1.0 - LEAST_ALPHA.cbrt()));
-            let root = (alpha.ln() * T::new(1.0 / 3.0)).exp();
+            let least = L::new(LEAST_ALPHA.cbrt());
+            let step = L::new((ALPHAS - 1) as f64 / (1.0 - LEAST_ALPHA.cbrt()));
+            let root = (alpha.ln() * L::new(1.0 / 3.0)).exp();
             let (nearest, distance) = nearest((root - least) * step, ALPHAS);
             (nearest, weights(distance))
         };
-        let along = along.map(T::gray);
-        let [means, ..] = T::load_block(&self.means, first, 0);
-        let [whole, grazing, _] = T::channels(weighted(means, along));
+        let [whole, grazing, _] = L::channels(L::weighted_row(&self.means, first, along));
         Row {
             first,
             along,
-            bend: alpha * T::new(BEND),
+            bend: alpha * L::new(BEND),
             mean: Albedo { whole, grazing },
         }
     }
 
     /// The albedo at the alpha of `row` for a viewer at this cosine.
     #[inline(always)]
-    pub fn albedo(&self, row: &Row<T>, cos_theta: T) -> Albedo<T> {
-        let (zero, one) = (T::new(0.0), T::new(1.0));
+    pub fn albedo<L: Element<Scalar = T>>(&self, row: &Row<L>, cos_theta: L) -> Albedo<L> {
+        let (zero, one) = (L::new(0.0), L::new(1.0));
         let x = ((one + row.bend) * cos_theta / (cos_theta + row.bend)).sqrt();
-        let (nearest, distance) = nearest(x * T::new((COSINES - 1) as f64), COSINES);
-        let across = weights(distance).map(T::gray);
+        let (nearest, distance) = nearest(x * L::new((COSINES - 1) as f64), COSINES);
+        let across = weights(distance);
         let sum = if self.is_fixed {
-            let [only, ..] = T::load_block(&self.points, nearest, 0);
-            weighted(only, across)
+            L::weighted_row(&self.points, nearest, across)
         } else {
-            let from = row.first * STRIDE + nearest;
-            let rows = T::load_block(&self.points, from, STRIDE);
-            weighted(rows.map(|row| weighted(row, across)), row.along)
+            let block = Block {
+                first: [nearest, row.first],
+                across,
+                along: row.along,
+            };
+            L::weighted_block(&self.points, STRIDE, block)
         };
-        let [whole, difference, _] = T::channels(sum);
+        let [whole, difference, _] = L::channels(sum);
         let whole = whole.max(zero).min(one);
         let smooth = whole * (one - cos_theta).pow5();
         let grazing = (smooth + difference).max(zero).min(whole);
@@ -208,29 +209,37 @@ impl<T: Precision> Energy<T> {
 
 /// One alpha of a table.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Row<T: Element> {
+pub(crate) struct Row<T> {
     /// The first of the three rows of control points around alpha, and their weights.
-    first: usize,
-    along: [T::Rgb; 3],
+    first: T,
+    along: [T; 3],
     bend: T,
     /// The mean over the hemisphere, weighted by the cosine.
     pub mean: Albedo<T>,
 }
 
-/// The whole number in [0, count) nearest to a position, and the distance from it.
-#[inline(always)]
-fn nearest<T: Precision>(position: T, count: usize) -> (usize, T) {
-    // Adding 2^23 rounds to a whole number, which is then in the lowest bits.
-    const WHOLE: f32 = 8_388_608.0;
-    let whole = position.to_f32() + WHOLE;
-    let index = (whole.to_bits() & 0x007f_ffff) as usize;
-    let index = index.min(count - 1);
-    (index, position - T::new(index as f64))
+impl<T: Element<Scalar = T>> Row<T> {
+    /// The same everywhere.
+    #[inline(always)]
+    pub fn splat<L: Element<Scalar = T>>(&self) -> Row<L> {
+        Row {
+            first: L::splat(self.first),
+            along: each!(self.along, |weight| L::splat(weight)),
+            bend: L::splat(self.bend),
+            mean: Albedo {
+                whole: L::splat(self.mean.whole),
+                grazing: L::splat(self.mean.grazing),
+            },
+        }
+    }
 }
 
+/// The whole number in [0, count) nearest to a position, and the distance from it.
 #[inline(always)]
-fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
-    a * u + b * v + c * w
+fn nearest<T: Real>(position: T, count: usize) -> (T, T) {
+    let index = position.round().max(T::new(0.0));
+    let index = index.min(T::new((count - 1) as f64));
+    (index, position - index)
 }
 
 fn packed<T: Real>([whole, difference, _]: Rgb<f64>) -> Entry<T> {

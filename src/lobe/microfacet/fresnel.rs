@@ -4,7 +4,7 @@ use super::{F0, THICKNESS_NM};
 use crate::error::Error;
 use crate::film::{Film, FilmDescription};
 use crate::lobe::precision::Precision;
-use crate::math::{Element, Real, Rgb};
+use crate::math::{Element, Real, Rgb, each};
 use crate::optics::{Medium, conductor_reflectance, dielectric_reflectance, schlick_between};
 use std::sync::Arc;
 
@@ -18,47 +18,51 @@ pub(super) enum Fresnel<'a, T: Element> {
     /// Exact, at one index eta + i k per channel.
     Conductor { eta: T::Rgb, k: T::Rgb },
     /// By wave optics, spectrally integrated.
-    Film { film: &'a Film, thickness_nm: f32 },
+    Film { film: &'a Film, thickness_nm: T },
 }
 
-impl<T: Precision> Fresnel<'_, T> {
+impl<T: Precision, L: Element<Scalar = T>> Fresnel<'_, L> {
     /// The reflectance in \[0, 1\] at the cosine <wo, h>. Colours of films that were asked for
     /// unclipped are clipped here.
     #[inline(always)]
-    pub fn reflectance(&self, cos_theta: T) -> Rgb<T> {
+    pub fn reflectance(&self, cos_theta: L) -> Rgb<L> {
         let cosines = cos_theta.gray();
         match *self {
-            Self::Schlick { f0, f90 } => T::channels(schlick_between(f0, f90, cosines)),
-            Self::Dielectric { eta } => T::channels(dielectric_reflectance(cosines, eta)),
+            Self::Schlick { f0, f90 } => L::channels(schlick_between(f0, f90, cosines)),
+            Self::Dielectric { eta } => L::channels(dielectric_reflectance(cosines, eta)),
             Self::Conductor { eta, k } => {
                 let reflectance = conductor_reflectance(cosines, eta, k);
-                T::channels(reflectance.min(T::Rgb::new(1.0)))
+                L::channels(reflectance.min(L::Rgb::new(1.0)))
             }
-            Self::Film { film, thickness_nm } => film
-                .reflectance(cos_theta.to_f32(), thickness_nm)
-                .map(|channel| T::new(f64::from(channel.clamp(0.0, 1.0)))),
+            Self::Film { film, thickness_nm } => {
+                each!(T::reflectance(film, cos_theta, thickness_nm), |channel| {
+                    channel.max(L::new(0.0)).min(L::new(1.0))
+                })
+            }
         }
     }
 
     /// Replaces the value of a parameter that varies per call; those of other kinds have no effect.
     #[inline(always)]
-    pub fn vary(&mut self, param: usize, value: [T; 3]) {
+    pub fn vary(&mut self, param: usize, value: [L; 3]) {
         match self {
-            Self::Schlick { f0, .. } if param == F0 => *f0 = T::rgb(value),
-            Self::Film { thickness_nm, .. } if param == THICKNESS_NM => {
-                *thickness_nm = value[0].to_f32();
-            }
+            Self::Schlick { f0, .. } if param == F0 => *f0 = L::rgb(value),
+            Self::Film { thickness_nm, .. } if param == THICKNESS_NM => *thickness_nm = value[0],
             _ => {}
         }
     }
 }
 
-/// What facets consist of, as compiled.
+/// What facets consist of, as compiled: the same kinds, owning the film.
 pub(super) enum Facets<T: Element> {
-    /// Numbers only.
-    Bare(Fresnel<'static, T>),
-    /// [`Fresnel::Film`], owning the film.
-    Film { film: Arc<Film>, thickness_nm: f32 },
+    /// [`Fresnel::Schlick`]
+    Schlick { f0: T::Rgb, f90: T::Rgb },
+    /// [`Fresnel::Dielectric`]
+    Dielectric { eta: T::Rgb },
+    /// [`Fresnel::Conductor`]
+    Conductor { eta: T::Rgb, k: T::Rgb },
+    /// [`Fresnel::Film`]
+    Film { film: Arc<Film>, thickness_nm: T },
 }
 
 impl<T: Precision> Facets<T> {
@@ -67,18 +71,30 @@ impl<T: Precision> Facets<T> {
         let film = Film::new(&FilmDescription::new(Medium::named(name)?))?;
         Ok(Self::Film {
             film: Arc::new(film),
-            thickness_nm: 0.0,
+            thickness_nm: T::new(0.0),
         })
     }
 
     /// For one call.
     #[inline(always)]
-    pub fn fresnel(&self) -> Fresnel<'_, T> {
-        match self {
-            Self::Bare(fresnel) => *fresnel,
-            Self::Film { film, thickness_nm } => Fresnel::Film {
+    pub fn fresnel<L: Element<Scalar = T>>(&self) -> Fresnel<'_, L> {
+        let splat = L::splat_rgb;
+        match *self {
+            Self::Schlick { f0, f90 } => Fresnel::Schlick {
+                f0: splat(f0),
+                f90: splat(f90),
+            },
+            Self::Dielectric { eta } => Fresnel::Dielectric { eta: splat(eta) },
+            Self::Conductor { eta, k } => Fresnel::Conductor {
+                eta: splat(eta),
+                k: splat(k),
+            },
+            Self::Film {
+                ref film,
+                thickness_nm,
+            } => Fresnel::Film {
                 film,
-                thickness_nm: *thickness_nm,
+                thickness_nm: L::splat(thickness_nm),
             },
         }
     }

@@ -88,33 +88,35 @@ impl Masking {
         Self::Implicit,
     ];
 
+    /// The averted areas of the viewer's and the light's direction, which [`Masking::Smith`] alone needs: all
+    /// that masking asks of the distribution.
+    #[inline(always)]
+    pub fn areas<T: Element, N: Normals<T>>(self, normals: &N, pair: &Pair<T>) -> [T; 2] {
+        if self == Self::Smith {
+            return [normals.averted_area(pair.wo), normals.averted_area(pair.wi)];
+        }
+        [T::new(0.0); 2]
+    }
+
     /// G / (4 n.v), which times D and F is the value f(wo, wi) n.l: the cosines of the definition are
     /// cancelled on paper, because their products vanish in rounding at the horizon. Those of
     /// [`Masking::Kelemen`] and [`Masking::CookTorrance`] are held at [`GREATEST`].
     #[inline(always)]
-    pub fn factor<T: Element, N: Normals<T>>(
-        self,
-        normals: &N,
-        alpha: [T; 2],
-        pair: &Pair<T>,
-    ) -> T {
+    pub fn factor<T: Element>(self, areas: [T; 2], alpha: [T; 2], pair: &Pair<T>) -> T {
         let (one, quarter) = (T::new(1.0), T::new(0.25));
         let (nv, nl) = (pair.wo.z, pair.wi.z);
         let vh = pair.cos_half;
         match self {
             // G = 1 / (1 + Lambda(wo) + Lambda(wi)): Heitz 2014, eq. 99.
             Self::Smith => {
-                let seen = nv + normals.averted_area(pair.wo);
-                quarter / (seen + nv / nl * normals.averted_area(pair.wi))
+                let seen = nv + areas[0];
+                quarter / (seen + nv / nl * areas[1])
             }
             // G1 = n.v / (n.v (1 - k) + k), k = m sqrt(2 / pi): Schlick 1994, eq. 19, as the lecture
             // prints it.
             Self::Schlick => {
-                let denominator = |w: Vec3<T>| {
-                    let k = along(w, alpha) * T::new(std::f64::consts::FRAC_2_PI.sqrt());
-                    w.z * (one - k) + k
-                };
-                quarter * nl / (denominator(pair.wo) * denominator(pair.wi))
+                let toward = schlick_denominator(pair.wo, alpha);
+                quarter * nl / (toward * schlick_denominator(pair.wi, alpha))
             }
             // G = (n.l)(n.v) / (v.h)^2: Kelemen and Szirmay-Kalos 2001, eq. 6.
             Self::Kelemen => (quarter * nl / vh / vh).min(T::new(GREATEST)),
@@ -137,6 +139,13 @@ impl Masking {
             _ => T::new(1.0),
         }
     }
+}
+
+/// n.v (1 - k) + k
+#[inline(always)]
+fn schlick_denominator<T: Real>(w: Vec3<T>, alpha: [T; 2]) -> T {
+    let k = along(w, alpha) * T::new(std::f64::consts::FRAC_2_PI.sqrt());
+    w.z * (T::new(1.0) - k) + k
 }
 
 /// The roughness along the azimuth of w: Heitz 2014, eq. 80.

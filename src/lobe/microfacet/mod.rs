@@ -74,12 +74,12 @@ mod tabulated;
 use self::abc::Abc;
 use self::blinn_phong::BlinnPhong;
 use self::compensation::{Average, Compensation};
-use self::fresnel::{Facets, Fresnel};
+use self::fresnel::Facets;
 use self::masking::Masking;
 use self::roughness::{Normalized, Shape};
 use self::sgd::Sgd;
 use super::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
-use super::mixture::PerCall;
+use super::mixture::Mixture;
 use super::precision::Precision;
 use super::scattering::{Compiled, Model};
 use super::values::{Bounds, Values};
@@ -259,7 +259,7 @@ impl Model for Microfacet {
             let energy = normals.energy(&shape, masking, values.varies(ALPHA));
             Some(Compensation { energy, average })
         };
-        Ok(Box::new(PerCall(Rough {
+        Ok(Box::new(Mixture(Rough {
             normals,
             shape,
             facets,
@@ -286,27 +286,25 @@ fn normals<T: Precision>(values: &Values<T>) -> Normalized<T> {
 
 fn facets<T: Precision>(values: &Values<T>) -> Result<Facets<T>, Error> {
     let rgb = |param| T::rgb(values.rgb(param));
-    Ok(Facets::Bare(match values.choice(FRESNEL) {
-        SCHLICK => Fresnel::Schlick {
+    Ok(match values.choice(FRESNEL) {
+        SCHLICK => Facets::Schlick {
             f0: rgb(F0),
             f90: rgb(F90),
         },
-        DIELECTRIC => Fresnel::Dielectric { eta: rgb(ETA) },
-        CONDUCTOR if values.choice(METAL) == CUSTOM => Fresnel::Conductor {
+        DIELECTRIC => Facets::Dielectric { eta: rgb(ETA) },
+        CONDUCTOR if values.choice(METAL) == CUSTOM => Facets::Conductor {
             eta: rgb(ETA),
             k: rgb(K),
         },
         CONDUCTOR => {
             let name = METALS[values.choice(METAL)].to_str().unwrap_or_default();
-            return Facets::of_metal(name);
+            Facets::of_metal(name)?
         }
-        _ => {
-            return Ok(Facets::Film {
-                film: Arc::clone(values.film().expect("validation refuses a lack of it")),
-                thickness_nm: values.number(THICKNESS_NM).to_f32(),
-            });
-        }
-    }))
+        _ => Facets::Film {
+            film: Arc::clone(values.film().expect("validation refuses a lack of it")),
+            thickness_nm: values.number(THICKNESS_NM),
+        },
+    })
 }
 
 /// What is allowed alone but not together.

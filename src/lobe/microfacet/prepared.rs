@@ -11,7 +11,7 @@ use crate::lobe::mixture::Surfaces;
 use crate::lobe::power_lobe::mean;
 use crate::lobe::precision::Precision;
 use crate::lobe::scattering::{MAX_LOBES, PerLobe, Scattering, normalized};
-use crate::math::{Element, Rgb, Vec3, warp};
+use crate::math::{Element, Rgb, Vec3, each, warp};
 
 /// One facet.
 pub(super) struct Mirror<T: Element> {
@@ -40,7 +40,7 @@ impl<T: Precision> Kernel<T> for Mirror<T> {
     }
 
     fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
-        let mut fresnel = self.facets.fresnel();
+        let mut fresnel = self.facets.fresnel::<T>();
         for change in overrides {
             fresnel.vary(change.param, change.value);
         }
@@ -61,40 +61,35 @@ pub(super) struct Rough<T: Element> {
 }
 
 impl<T: Precision> Surfaces<T> for Rough<T> {
-    type Surface<'a> = Surface<'a, T>;
+    type Surface<'a, L: Element<Scalar = T>> = Surface<'a, L>;
 
     #[inline(always)]
-    fn surface(&self, overrides: &[Override<T>]) -> Surface<'_, T> {
+    fn surface<L: Element<Scalar = T>>(&self) -> Surface<'_, L> {
         let mut surface = Surface {
             normals: &self.normals,
-            shape: self.shape,
+            shape: self.shape.splat(),
             fresnel: self.facets.fresnel(),
             masking: self.masking,
+            compensation: self.compensation.as_ref(),
             returned: None,
         };
-        for change in overrides {
-            surface.vary(change.param, change.value);
-        }
-        if let Some(compensation) = &self.compensation {
-            let returned = compensation.returned(surface.shape.alpha, &surface.fresnel);
-            surface.returned = Some(returned);
-        }
+        surface.settle();
         surface
     }
 }
 
-/// A rough surface for one call.
-#[derive(Clone, Copy)]
-pub(super) struct Surface<'a, T: Precision> {
-    normals: &'a Normalized<T>,
+/// A rough surface for one call, or as many as there are lanes.
+pub(super) struct Surface<'a, T: Element> {
+    normals: &'a Normalized<T::Scalar>,
     shape: Shape<T>,
     fresnel: Fresnel<'a, T>,
     masking: Masking,
+    compensation: Option<&'a Compensation<T::Scalar>>,
     /// With energy compensation.
     returned: Option<Returned<'a, T>>,
 }
 
-impl<T: Precision> Surface<'_, T> {
+impl<T: Element> Surface<'_, T> {
     #[inline(always)]
     fn distribution(&self) -> Distribution<'_, T> {
         self.normals.distribution(&self.shape)
@@ -108,12 +103,19 @@ impl<T: Precision> Surface<'_, T> {
     }
 }
 
-impl<T: Precision> Scattering<T> for Surface<'_, T> {
+impl<P: Precision, T: Element<Scalar = P>> Scattering<T> for Surface<'_, T> {
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [T; 3]) {
         match param {
             ALPHA | ANISOTROPY | ROTATION => self.shape.vary(param, value[0]),
             _ => self.fresnel.vary(param, value),
+        }
+    }
+
+    #[inline(always)]
+    fn settle(&mut self) {
+        if let Some(compensation) = self.compensation {
+            self.returned = Some(compensation.returned(self.shape.alpha, &self.fresnel));
         }
     }
 
@@ -125,17 +127,18 @@ impl<T: Precision> Scattering<T> for Surface<'_, T> {
     #[inline(always)]
     fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
         let pair = Pair::new(wo, wi).turned(self.turn_back());
-        let (highlight, density) = with_normals!(self.distribution(), |normals| {
-            let factor = self.masking.factor(&normals, self.shape.axes, &pair);
-            let density = normals.reflected_density(pair.wo, pair.h, pair.cos_half);
-            (normals.density(pair.h) * factor, density)
-        });
+        let (normals, areas, density) = with_normals!(self.distribution(), |normals| (
+            normals.density(pair.h),
+            self.masking.areas(&normals, &pair),
+            normals.reflected_density(pair.wo, pair.h, pair.cos_half),
+        ));
+        let highlight = normals * self.masking.factor(areas, self.shape.axes, &pair);
         let reflectance = self.fresnel.reflectance(pair.cos_half);
-        let mut value = reflectance.map(|reflectance| reflectance * highlight);
+        let mut value = each!(reflectance, |reflectance| reflectance * highlight);
         let mut densities = only_first(density);
         if let Some(returned) = &self.returned {
             let more = returned.eval(wo, wi);
-            value = std::array::from_fn(|channel| value[channel] + more[channel]);
+            value = each!([0, 1, 2], |channel| value[channel] + more[channel]);
             densities[RETURNED_LOBE] = warp::cosine_hemisphere_pdf(wi.z);
         }
         (value, densities)
@@ -166,7 +169,7 @@ impl<T: Precision> Scattering<T> for Surface<'_, T> {
 }
 
 #[inline(always)]
-fn only_first<T: Precision>(number: T) -> PerLobe<T> {
+fn only_first<T: Element>(number: T) -> PerLobe<T> {
     let mut numbers = [T::new(0.0); MAX_LOBES];
     numbers[REFLECTION_LOBE] = number;
     numbers

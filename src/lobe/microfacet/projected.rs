@@ -29,7 +29,7 @@ pub(super) struct Projected<T> {
     curve: Cubics<T, PIECES>,
 }
 
-impl<T: Element> Projected<T> {
+impl<T: Element<Scalar = T>> Projected<T> {
     /// Of a normalised density D, whose height at the normal is 1 / (pi alpha^2) and the greatest.
     pub(super) fn new(alpha: f64, density: impl Fn(Vec3<f64>) -> f64) -> Self {
         let integrals = |mu: f64| integrals(alpha, &density, mu);
@@ -54,12 +54,12 @@ impl<T: Element> Projected<T> {
 
     /// For w.z >= 0.
     #[inline(always)]
-    pub(super) fn averted_area(&self, w: Vec3<T>) -> T {
-        let most = self.at_horizon * (w.x.squared() + w.y.squared()).sqrt();
+    pub(super) fn averted_area<L: Element<Scalar = T>>(&self, w: Vec3<L>) -> L {
+        let most = L::splat(self.at_horizon) * (w.x.squared() + w.y.squared()).sqrt();
         let root = w.z.sqrt_positive();
         let x = root / (root + most.sqrt());
         // Rounding may leave a piece that ends at 0 a little below.
-        let share = self.curve.at(x * T::new(PIECES as f64)).max(T::new(0.0));
+        let share = self.curve.at(x * L::new(PIECES as f64)).max(L::new(0.0));
         most * share
     }
 }
@@ -167,7 +167,7 @@ mod tests {
     fn is_defined_at_both_ends() {
         let even = |_: Vec3<f64>| 1.0 / PI;
         let projected = Projected::<f32>::new(1.0, even);
-        assert_eq!(projected.averted_area(Vec3::new(0.0, 0.0, 1.0)), 0.0);
+        assert_eq!(projected.averted_area(Vec3::new(0.0, 0.0, 1.0f32)), 0.0);
         for z in [0.0, f32::MIN_POSITIVE, 1e-20] {
             let area = projected.averted_area(Vec3::new(1.0, 0.0, z));
             assert!((area - 0.5).abs() < 1e-6, "{z}: {area}");

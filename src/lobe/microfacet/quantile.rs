@@ -27,7 +27,7 @@ pub(super) struct Quantile<T> {
     curve: Cubics<T, PIECES>,
 }
 
-impl<T: Element> Quantile<T> {
+impl<T: Element<Scalar = T>> Quantile<T> {
     /// Of a normalised density D, whose height at the normal is 1 / (pi alpha^2).
     pub(super) fn new(alpha: f64, density: impl Fn(Vec3<f64>) -> f64) -> Self {
         let shares = Shares::new(alpha, density);
@@ -49,11 +49,11 @@ impl<T: Element> Quantile<T> {
 
     /// A normal from two uniform numbers in [0, 1), with density D(h) h.z.
     #[inline(always)]
-    pub(super) fn sample(&self, u: [T; 2]) -> Vec3<T> {
-        let one = T::new(1.0);
+    pub(super) fn sample<L: Element<Scalar = T>>(&self, u: [L; 2]) -> Vec3<L> {
+        let one = L::new(1.0);
         let odds = u[0] / (one - u[0]);
-        let scale = T::new(PIECES as f64 / (2.0 * END));
-        let position = (odds.ln() + T::new(END)) * scale;
+        let scale = L::new(PIECES as f64 / (2.0 * END));
+        let position = (odds.ln() + L::new(END)) * scale;
         let tan_squared = self.curve.at(position).exp() * odds;
         let cos_squared = one / (one + tan_squared);
         let sine = (tan_squared * cos_squared).sqrt();

@@ -26,10 +26,10 @@ pub(super) enum Normalized<T> {
     Sgd(Box<Sgd<T>>),
 }
 
-impl<T: Element> Normalized<T> {
+impl<T: Element<Scalar = T>> Normalized<T> {
     /// For one call.
     #[inline(always)]
-    pub fn distribution(&self, shape: &Shape<T>) -> Distribution<'_, T> {
+    pub fn distribution<L: Element<Scalar = T>>(&self, shape: &Shape<L>) -> Distribution<'_, L> {
         let alpha = shape.axes;
         match self {
             Self::Ggx => Distribution::Ggx(Ggx { alpha }),
@@ -77,6 +77,19 @@ pub(super) struct Shape<T> {
     pub axes: [T; 2],
     /// Cosine and sine of the angle from +X to the long axis.
     pub turn: [T; 2],
+}
+
+impl<T: Element<Scalar = T>> Shape<T> {
+    /// The same everywhere.
+    #[inline(always)]
+    pub fn splat<L: Element<Scalar = T>>(&self) -> Shape<L> {
+        Shape {
+            alpha: L::splat(self.alpha),
+            anisotropy: L::splat(self.anisotropy),
+            axes: [L::splat(self.axes[0]), L::splat(self.axes[1])],
+            turn: [L::splat(self.turn[0]), L::splat(self.turn[1])],
+        }
+    }
 }
 
 impl<T: Real> Shape<T> {

@@ -31,7 +31,7 @@ use crate::math::{Element, Vec3};
 /// The area beyond an angle is Gamma(1 - p, x) / Gamma(1 - p, a): normals are drawn by its table.
 pub(crate) type Sgd<T> = Tabulated<T, ShiftedGamma<T>>;
 
-impl<T: Element> Sgd<T> {
+impl<T: Element<Scalar = T>> Sgd<T> {
     /// With its tables.
     pub(crate) fn of(alpha: f64, p: f64) -> Self {
         let (height, a) = (height(alpha), width(alpha, p));
@@ -74,15 +74,16 @@ impl<T: Element> ShiftedGamma<T> {
     }
 }
 
-impl<T: Element> Profile<T> for ShiftedGamma<T> {
+impl<T: Element<Scalar = T>> Profile<T> for ShiftedGamma<T> {
     /// Divided by its value at the normal, e^(-x) x^(-p) is e^(-tan^2 / a) (1 + tan^2 / a^2)^(-p).
     #[inline(always)]
-    fn density(&self, h: Vec3<T>) -> T {
-        let cos_squared = h.z.squared().max(T::new(LEAST_COS_SQUARED));
+    fn density<L: Element<Scalar = T>>(&self, h: Vec3<L>) -> L {
+        let cos_squared = h.z.squared().max(L::new(LEAST_COS_SQUARED));
         let tan_squared = sin_squared(h) / cos_squared;
-        let power = self.p * (tan_squared * self.inverse_squared).ln_1p();
-        let exponent = tan_squared * self.inverse + power + ln_cos_squared(h) * T::new(2.0);
-        let density = self.at_normal * (-exponent).exp();
-        T::select(h.z.gt(T::new(0.0)), density, T::new(0.0))
+        let power = L::splat(self.p) * (tan_squared * L::splat(self.inverse_squared)).ln_1p();
+        let exponent =
+            tan_squared * L::splat(self.inverse) + power + ln_cos_squared(h) * L::new(2.0);
+        let density = L::splat(self.at_normal) * (-exponent).exp();
+        L::select(h.z.gt(L::new(0.0)), density, L::new(0.0))
     }
 }

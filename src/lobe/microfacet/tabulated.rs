@@ -9,7 +9,7 @@ use crate::math::{Element, PI, Vec3};
 /// The function D(h) of such a distribution, with its parameters set.
 pub(crate) trait Profile<T> {
     /// D(h), per steradian; 0 for h.z <= 0.
-    fn density(&self, h: Vec3<T>) -> T;
+    fn density<L: Element<Scalar = T>>(&self, h: Vec3<L>) -> L;
 }
 
 /// Such a distribution whose sampling has no closed form either.
@@ -19,7 +19,7 @@ pub(crate) struct Tabulated<T, P> {
     quantile: Quantile<T>,
 }
 
-impl<T: Element, P: Profile<T>> Tabulated<T, P> {
+impl<T: Element<Scalar = T>, P: Profile<T>> Tabulated<T, P> {
     /// `exact` is `profile` in double precision.
     pub(super) fn new(alpha: f64, profile: P, exact: &impl Profile<f64>) -> Self {
         Self {
@@ -30,26 +30,28 @@ impl<T: Element, P: Profile<T>> Tabulated<T, P> {
     }
 }
 
-impl<T: Element, P: Profile<T>> Normals<T> for &Tabulated<T, P> {
+impl<T: Element<Scalar = T>, L: Element<Scalar = T>, P: Profile<T>> Normals<L>
+    for &Tabulated<T, P>
+{
     #[inline(always)]
-    fn density(&self, h: Vec3<T>) -> T {
+    fn density(&self, h: Vec3<L>) -> L {
         self.profile.density(h)
     }
 
     #[inline(always)]
-    fn averted_area(&self, w: Vec3<T>) -> T {
+    fn averted_area(&self, w: Vec3<L>) -> L {
         self.projected.averted_area(w)
     }
 
     #[inline(always)]
-    fn sample(&self, _wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
+    fn sample(&self, _wo: Vec3<L>, u: [L; 2]) -> Vec3<L> {
         self.quantile.sample(u)
     }
 
     /// D(h) h.z
     #[inline(always)]
-    fn sample_density(&self, _wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) * h.z
+    fn sample_density(&self, _wo: Vec3<L>, h: Vec3<L>) -> L {
+        self.profile.density(h) * h.z
     }
 }
 

@@ -4,6 +4,7 @@
 #![allow(unsafe_code)]
 
 use super::super::elementary::{self, Single, elementary_methods};
+use super::super::rgb::{Block, scalar_methods, weighted, whole};
 use super::super::{Element, Entry, Mask, Real};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -42,24 +43,42 @@ impl Element for f32 {
         let blue = sse2!(_mm_movehl_ps(rgb.0, rgb.0));
         [lane(rgb.0), lane(green), lane(blue)]
     }
+    scalar_methods!();
     #[inline(always)]
-    fn load_block(table: &[Entry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
-        // No sum overflows, as a slice's bytes are at most isize::MAX.
-        if stride >= table.len() || from >= table.len() || from + 2 * stride + 2 >= table.len() {
-            outside();
-        }
-        let start = table.as_ptr();
-        std::array::from_fn(|row| {
-            std::array::from_fn(|entry| {
-                // SAFETY: at most from + 2 stride + 2, which is in the table; entries are aligned.
-                RgbLanes(unsafe { _mm_load_ps(start.add(from + row * stride + entry).cast()) })
-            })
+    fn weighted_row(table: &[Entry<f32>], first: f32, weights: [f32; 3]) -> RgbLanes {
+        let [row, ..] = load_block(table, whole(first), 0);
+        weighted(row, weights.map(f32::gray))
+    }
+    #[inline(always)]
+    fn weighted_block(table: &[Entry<f32>], stride: usize, block: Block<f32>) -> RgbLanes {
+        let [column, row] = block.first.map(whole);
+        let rows = load_block(table, row * stride + column, stride);
+        let across = block.across.map(f32::gray);
+        weighted(
+            rows.map(|row| weighted(row, across)),
+            block.along.map(f32::gray),
+        )
+    }
+}
+
+/// Three entries from each of three rows of a table, the first at `from`, the rows `stride` entries
+/// apart.
+///
+/// # Panics
+/// If they are not all in the table.
+#[inline(always)]
+pub fn load_block(table: &[Entry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
+    // No sum overflows, as a slice's bytes are at most isize::MAX.
+    if stride >= table.len() || from >= table.len() || from + 2 * stride + 2 >= table.len() {
+        outside();
+    }
+    let start = table.as_ptr();
+    std::array::from_fn(|row| {
+        std::array::from_fn(|entry| {
+            // SAFETY: at most from + 2 stride + 2, which is in the table; entries are aligned.
+            RgbLanes(unsafe { _mm_load_ps(start.add(from + row * stride + entry).cast()) })
         })
-    }
-    #[inline(always)]
-    fn load_entry<const N: usize>(table: &[[f32; N]], index: f32) -> [f32; N] {
-        table[(index as usize).min(table.len() - 1)]
-    }
+    })
 }
 
 /// Without arguments, which every call would have to get ready.

@@ -1,0 +1,143 @@
+//! The varying parameters of a batch.
+
+use super::column::{Chunk, Column, Span};
+use super::view::{ConstView, check_reach};
+use crate::bsdf::{Bsdf, MAX_VARYING};
+use crate::error::Error;
+
+/// The most numbers that varying parameters may have together.
+pub(super) const MAX_FLOATS: usize = 3 * MAX_VARYING;
+
+/// The varying parameters of all elements.
+pub(super) struct VaryingViews<'a> {
+    bsdf: &'a Bsdf,
+    views: &'a [ConstView],
+}
+
+impl<'a> VaryingViews<'a> {
+    pub fn new(bsdf: &'a Bsdf, views: &'a [ConstView], count: usize) -> Result<Self, Error> {
+        if !views.is_empty() && views.len() != bsdf.varying_count() {
+            return Err(Error::invalid(format!(
+                "varying_count = {} but the BSDF has {} varying parameters",
+                views.len(),
+                bsdf.varying_count()
+            )));
+        }
+        for (view, components) in views.iter().zip(bsdf.varying_components()) {
+            check_reach(
+                "varying",
+                components,
+                count,
+                view.element_stride,
+                view.component_stride,
+            )?;
+        }
+        Ok(Self { bsdf, views })
+    }
+
+    /// How many numbers are given per element.
+    pub fn floats(&self) -> usize {
+        if self.views.is_empty() {
+            0
+        } else {
+            self.bsdf.varying_floats()
+        }
+    }
+
+    /// Where each parameter lies.
+    pub fn spans(&self, count: usize) -> impl Iterator<Item = Span> + '_ {
+        let views = self.views.iter().zip(self.bsdf.varying_components());
+        views.map(move |(view, components)| view.span(components, count))
+    }
+
+    /// The numbers of a chunk, a slice for each, one parameter after another.
+    ///
+    /// # Safety
+    /// As for [`Chunk::read`].
+    pub unsafe fn read<'b, 'c>(
+        &self,
+        chunk: &Chunk,
+        room: &'b mut [Column<f32>],
+        slices: &'c mut [&'b [f32]; MAX_FLOATS],
+    ) -> &'c [&'b [f32]] {
+        let (mut rest, mut defaults) = (room, self.bsdf.varying_defaults());
+        let mut first = 0;
+        for (view, components) in self.views.iter().zip(self.bsdf.varying_components()) {
+            let (room, after) = rest.split_at_mut(components);
+            let (own, other) = defaults.split_at(components);
+            let slices = &mut slices[first..first + components];
+            for (c, (slice, room)) in slices.iter_mut().zip(room).enumerate() {
+                // SAFETY: the caller vouches for it.
+                *slice = unsafe { component(chunk, view, c, own[c], room) };
+            }
+            (rest, defaults) = (after, other);
+            first += components;
+        }
+        &slices[..first]
+    }
+
+    /// The numbers of element i, one parameter after another; none if none is given.
+    ///
+    /// # Safety
+    /// The element must be readable.
+    pub unsafe fn one<'b>(
+        &self,
+        i: usize,
+        numbers: &'b mut [f32; MAX_FLOATS],
+    ) -> Option<&'b [f32]> {
+        if self.views.is_empty() {
+            return None;
+        }
+        let floats = self.bsdf.varying_floats();
+        numbers[..floats].copy_from_slice(self.bsdf.varying_defaults());
+        let mut first = 0;
+        for (view, components) in self.views.iter().zip(self.bsdf.varying_components()) {
+            if !view.data.is_null() {
+                for c in 0..components {
+                    // SAFETY: the caller of the batch vouches for this address.
+                    numbers[first + c] = unsafe { view.at(i, c) };
+                }
+            }
+            first += components;
+        }
+        Some(&numbers[..floats])
+    }
+}
+
+/// One component of a chunk, or its default.
+unsafe fn component<'a>(
+    chunk: &Chunk,
+    view: &ConstView,
+    c: usize,
+    default: f32,
+    room: &'a mut Column<f32>,
+) -> &'a [f32] {
+    let one = if view.data.is_null() {
+        ConstView {
+            data: &default,
+            element_stride: 0,
+            component_stride: 0,
+        }
+    } else {
+        ConstView {
+            // SAFETY: the caller vouches for the address.
+            data: unsafe { view.address(0, c) },
+            ..*view
+        }
+    };
+    // SAFETY: the caller vouches for all elements; the default outlives the copy.
+    let [slice] = unsafe { chunk.read(&one, std::array::from_mut(room)) };
+    slice
+}
+
+/// Calls `f` with room for so many numbers per element, on the stack and no more than is needed.
+pub(super) fn with_room(floats: usize, f: impl FnOnce(&mut [Column<f32>])) {
+    const FEW: usize = 4;
+    const SOME: usize = 12;
+    match floats {
+        0 => f(&mut []),
+        1..=FEW => f(&mut [Column::<f32>::ZERO; FEW][..floats]),
+        5..=SOME => f(&mut [Column::<f32>::ZERO; SOME][..floats]),
+        _ => f(&mut [Column::<f32>::ZERO; MAX_FLOATS][..floats]),
+    }
+}
