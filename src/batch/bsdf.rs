@@ -73,13 +73,13 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
     args.value.check("value", 3, count)?;
     args.pdf.check("pdf", 1, count)?;
     let varying = VaryingViews::new(bsdf, args.varying, count)?;
-    let inputs = [args.wo.span(3, count), args.wi.span(3, count)];
-    let outputs = [args.value.target(3, count), args.pdf.target(1, count)];
     // SAFETY: the caller vouches for every address of every view.
     unsafe {
         if count < LEAST_TILE {
             eval_one_by_one(bsdf, args, &varying);
         } else {
+            let inputs = [args.wo.span(3, count), args.wi.span(3, count)];
+            let outputs = [args.value.target(3, count), args.pdf.target(1, count)];
             let is_direct = are_apart(&inputs, &varying, &outputs, count);
             eval_by_tiles(bsdf, args, &varying, is_direct, level);
         }
@@ -171,20 +171,20 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(),
     args.flags.check("flags", 1, count)?;
     args.lobe.check("lobe", 1, count)?;
     let varying = VaryingViews::new(bsdf, args.varying, count)?;
-    let inputs = [args.wo.span(3, count), args.u.span(3, count)];
-    let outputs = [
-        args.wi.target(3, count),
-        args.pdf.target(1, count),
-        args.weight.target(3, count),
-        args.eta.target(1, count),
-        args.flags.target(1, count),
-        args.lobe.target(1, count),
-    ];
     // SAFETY: the caller vouches for every address of every view.
     unsafe {
         if count < LEAST_TILE {
             sample_one_by_one(bsdf, args, &varying);
         } else {
+            let inputs = [args.wo.span(3, count), args.u.span(3, count)];
+            let outputs = [
+                args.wi.target(3, count),
+                args.pdf.target(1, count),
+                args.weight.target(3, count),
+                args.eta.target(1, count),
+                args.flags.target(1, count),
+                args.lobe.target(1, count),
+            ];
             let is_direct = are_apart(&inputs, &varying, &outputs, count);
             sample_by_tiles(bsdf, args, &varying, is_direct, level);
         }

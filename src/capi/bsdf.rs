@@ -10,6 +10,7 @@ use super::types::{
 };
 use crate::bsdf::{Bsdf, Description};
 use crate::error::Error;
+use crate::math::Level;
 use libc::size_t;
 use std::sync::Arc;
 
@@ -30,6 +31,7 @@ pub unsafe extern "C" fn pellicle_bsdf_create(
     bsdf: *mut *mut PellicleBsdf,
 ) -> PellicleStatus {
     quiet_panics();
+    Level::chosen();
     guard(|| {
         require(bsdf, "bsdf")?;
         // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is

@@ -11,6 +11,7 @@ use super::types::{
 };
 use crate::error::Error;
 use crate::film::Film;
+use crate::math::Level;
 use crate::optics::stack::Side;
 use libc::size_t;
 use std::sync::Arc;
@@ -32,6 +33,7 @@ pub unsafe extern "C" fn pellicle_film_create(
     film: *mut *mut PellicleFilm,
 ) -> PellicleStatus {
     quiet_panics();
+    Level::chosen();
     guard(|| {
         require(film, "film")?;
         // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is

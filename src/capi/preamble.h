@@ -36,6 +36,11 @@
  * pellicle_film_reference() and pellicle_film_spectrum(); what evaluates a film whose plan's method
  * is "reference"; and a failing call, for its message.
  *
+ * Batches. Elements are evaluated side by side with the widest of SSE2, AVX2 and AVX-512, or NEON, that
+ * the processor has, to the same bits as single calls. The environment variable PELLICLE_SIMD (sse2,
+ * avx2), read once by the first create(), may name a narrower one, for tests; other values do nothing.
+ * Components whose elements lie side by side are the fastest, then whole packed elements.
+ *
  * Growth. Structs that are passed together with their own size grow by appending, and zero means
  * default: zero-initialise them and pass sizeof. A shorter struct of an older caller is accepted; a
  * longer one is accepted if what this build does not know is zero, else UNSUPPORTED. Outputs are

@@ -70,7 +70,7 @@ impl<T: Precision, M: Surfaces<T>> Kernel<T> for Mixture<M> {
     }
 
     fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
-        let sampled = sample(&Outlined(self.varied(overrides)), wo, u);
+        let sampled = with_surface!(self, overrides, |surface| sample(surface, wo, u));
         (sampled.pdf > T::new(0.0)).then(|| Direction {
             wi: sampled.wi,
             pdf: sampled.pdf,
@@ -105,8 +105,8 @@ impl<M: Surfaces<f32>> Tiles for Mixture<M> {
     }
 }
 
-/// A surface whose methods are calls: for those that are not so hot that each needs copies of its own, which
-/// take long to compile.
+/// A surface whose evaluation is a call: for what is not so hot that it needs a copy of its own, which takes
+/// long to compile.
 struct Outlined<S>(S);
 
 impl<T: Precision, S: Scattering<T>> Scattering<T> for Outlined<S> {
@@ -114,7 +114,6 @@ impl<T: Precision, S: Scattering<T>> Scattering<T> for Outlined<S> {
         self.0.vary(param, value);
     }
 
-    #[inline(never)]
     fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
         self.eval_with_densities(wo, wi).0
     }
@@ -124,12 +123,12 @@ impl<T: Precision, S: Scattering<T>> Scattering<T> for Outlined<S> {
         self.0.eval_with_densities(wo, wi)
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
         self.0.selection(wo)
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn sample(&self, lobe: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
         self.0.sample(lobe, wo, u)
     }
@@ -171,11 +170,20 @@ pub(super) fn sample<T: Element, S: Scattering<T>>(
     let zero = T::new(0.0);
     let selection = surface.selection(wo);
     let (mut wi, mut number) = (Vec3::zero(), zero);
-    for (lobe, is_chosen) in choose(&selection, u[0]).into_iter().enumerate() {
-        if is_chosen.any() {
-            let direction = surface.sample(lobe, wo, [u[1], u[2]]);
-            wi = Vec3::select(is_chosen, direction, wi);
-            number = T::select(is_chosen, T::new(lobe as f64), number);
+    let chosen = choose(&selection, u[0]);
+    if T::COUNT == 1 {
+        // One lobe at most, which need not be known to the compiler.
+        if let Some(lobe) = chosen.iter().position(|is_chosen| is_chosen.any()) {
+            wi = surface.sample(lobe, wo, [u[1], u[2]]);
+            number = T::new(lobe as f64);
+        }
+    } else {
+        for (lobe, is_chosen) in chosen.into_iter().enumerate() {
+            if is_chosen.any() {
+                let direction = surface.sample(lobe, wo, [u[1], u[2]]);
+                wi = Vec3::select(is_chosen, direction, wi);
+                number = T::select(is_chosen, T::new(lobe as f64), number);
+            }
         }
     }
     let is_above = wi.z.gt(zero);

@@ -13,6 +13,18 @@ pub fn power_of_cosine<T: Real>(a: Vec3<T>, b: Vec3<T>, exponent: T) -> T {
     T::select(complement.lt(T::new(1.0)), power, T::new(0.0))
 }
 
+/// max(0, <a, b>)^(e / 2), the root of [`power_of_cosine`]; 0 where that is below 1e-17. So products of two
+/// of them and of what multiplies them are 0 or far from the least normal number, below which
+/// processors are slow.
+#[inline(always)]
+pub fn root_of_power<T: Real>(a: Vec3<T>, b: Vec3<T>, exponent: T) -> T {
+    const LEAST: f64 = -39.14; // ln 1e-17
+    let complement = a.minus(b).length_squared() * T::new(0.5);
+    let logarithm = T::new(0.5) * exponent * (-complement).ln_1p();
+    let is_seen = complement.lt(T::new(1.0)) & logarithm.gt(T::new(LEAST));
+    T::select(is_seen, logarithm.exp(), T::new(0.0))
+}
+
 /// (e + 2) / (2 pi), with which cos^e reflects no more than it receives: Lafortune and Willems 1994,
 /// eq. 6. Not the normalisation of the density, which lacks the cosine of reflection.
 #[inline(always)]

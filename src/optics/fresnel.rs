@@ -63,16 +63,13 @@ pub fn conductor_reflectance<T: Real>(cos_theta: T, eta: T, k: T) -> T {
     let q = (excess + Complex::real(cos_theta.squared())).sqrt_upper();
     let is_matched = excess.equals(Complex::real(zero));
     let along = (excess + Complex::real(one)).scaled(cos_theta);
-    let across = reflected_part(Complex::real(cos_theta), q, is_matched);
-    let reflectance = (across + reflected_part(along, q, is_matched)) * half;
+    // |(cos - q) / (cos + q)|^2 and the same of n^2 cos, over one divisor.
+    let across = Complex::real(cos_theta);
+    let [upper, lower] = [(across - q).norm_squared(), (across + q).norm_squared()];
+    let [upper_p, lower_p] = [(along - q).norm_squared(), (along + q).norm_squared()];
+    let divisor = T::select(is_matched, one, lower * lower_p);
+    let reflectance = half * (upper * lower_p + upper_p * lower) / divisor;
     T::select(is_matched, zero, reflectance)
-}
-
-/// |(a - q) / (a + q)|^2, or anything where the media are matched.
-#[inline(always)]
-fn reflected_part<T: Real>(a: Complex<T>, q: Complex<T>, is_matched: T::Mask) -> T {
-    let divisor = T::select(is_matched, T::new(1.0), (a + q).norm_squared());
-    (a - q).norm_squared() / divisor
 }
 
 #[cfg(test)]

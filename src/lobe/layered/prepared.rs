@@ -1,7 +1,7 @@
 //! The formulas of the layered model, eq. 1-16, in both variants.
 
 use super::super::mixture::Surfaces;
-use super::super::power_lobe::{conserving_normalization, power_of_cosine};
+use super::super::power_lobe::{conserving_normalization, root_of_power};
 use super::super::precision::Precision;
 use super::super::values::Values;
 use super::{
@@ -54,6 +54,8 @@ pub(super) struct Terms<C> {
     pub reflected: C,
     /// T of eq. 10, or f_T.
     pub transmitted: C,
+    /// sqrt(R T)
+    pub amplitude: C,
     /// 2 Phi of eq. 3 (the phase difference of eq. 5), in turns: Phi / pi.
     pub turns: C,
 }
@@ -62,21 +64,34 @@ impl<C: Real> Terms<C> {
     /// (R + T + 2 cos(2 Phi) sqrt(R T)) / 2: eq. 5.
     #[inline(always)]
     pub fn interference(&self) -> C {
-        let amplitude = (self.reflected * self.transmitted).sqrt();
-        C::new(0.5) * (self.reflected + self.transmitted) + self.turns.cos_turns() * amplitude
+        C::new(0.5) * (self.reflected + self.transmitted) + self.turns.cos_turns() * self.amplitude
     }
 }
 
 /// Both lobes' shapes at a pair of directions: what value and density share.
 #[derive(Clone, Copy)]
 pub(super) struct Shapes<T: Element> {
-    /// max(0, <r_i, wo>)^e0.
-    pub mirror: T,
-    /// max(0, <r_ii, -i_o>)^e1, 0 under the null conditions.
-    pub refracted: T::Rgb,
+    /// Root of max(0, <r_i, wo>)^e0.
+    mirror_root: T,
+    /// Root of max(0, <r_ii, -i_o>)^e1, 0 under the null conditions.
+    refracted_root: T::Rgb,
     /// Cosines inside the layer of the light's and the viewer's ray.
     pub cos_ii: T::Rgb,
     pub cos_io: T::Rgb,
+}
+
+impl<T: Element> Shapes<T> {
+    /// max(0, <r_i, wo>)^e0.
+    #[inline(always)]
+    pub fn mirror(&self) -> T {
+        self.mirror_root.squared()
+    }
+
+    /// max(0, <r_ii, -i_o>)^e1, 0 under the null conditions.
+    #[inline(always)]
+    pub fn refracted(&self) -> T::Rgb {
+        self.refracted_root.squared()
+    }
 }
 
 impl<T: Precision> Surfaces<T> for Prepared<T> {
@@ -174,22 +189,22 @@ impl<T: Element> Prepared<T> {
     /// Lobe shapes of eq. 6 and 10.
     #[inline(always)]
     pub(super) fn shapes(&self, wo: Vec3<T>, wi: Vec3<T>) -> Shapes<T> {
-        let power = power_of_cosine(wi.mirrored(), wo, self.exponent_reflection);
+        let root = root_of_power(wi.mirrored(), wo, self.exponent_reflection);
         // Exponent 0 reflects to the whole hemisphere, also where <r_i, wo> <= 0: eq. 12 averages
         // that case.
         let whole = self.exponent_reflection.equals(T::new(0.0));
-        let mirror = T::select(whole, T::new(1.0), power);
+        let mirror_root = T::select(whole, T::new(1.0), root);
         // a = -i_i and b = -i_o: both rays inside, pointing up. r_ii is the mirror of a at n1.
         let a = self.interface.inside(wi.gray());
         let b = self.interface.inside(wo.gray());
         let n1 = self.base_normal.gray();
-        let power = power_of_cosine(a.mirrored_about(n1), b, self.exponent_transmission.gray());
+        let root = root_of_power(a.mirrored_about(n1), b, self.exponent_transmission.gray());
         // Null conditions after eq. 10 (the third is in the power), and total reflection.
         let zero = T::Rgb::new(0.0);
         let possible = a.dot(n1).gt(zero) & b.dot(n1).gt(zero) & a.z.gt(zero) & b.z.gt(zero);
         Shapes {
-            mirror,
-            refracted: T::Rgb::select(possible, power, zero),
+            mirror_root,
+            refracted_root: T::Rgb::select(possible, root, zero),
             cos_ii: a.z,
             cos_io: b.z,
         }
@@ -208,11 +223,15 @@ impl<T: Element> Prepared<T> {
             let both = (one - fresnel_i) * (one - fresnel_o) * self.compression;
             (fresnel_i.min(fresnel_o), both)
         };
-        let scale = self.scale_transmission.gray() * self.base;
+        let reflected = self.scale_reflection.gray() * fresnel;
+        let transmitted = self.scale_transmission.gray() * self.base * crossings;
         let path = self.thickness_nm.gray() * (shapes.cos_ii + shapes.cos_io);
+        // The root of the product by the lobes' roots: the product itself may be too small for a number.
+        let roots = shapes.mirror_root.gray() * shapes.refracted_root;
         Terms {
-            reflected: (self.scale_reflection * shapes.mirror).gray() * fresnel,
-            transmitted: scale * crossings * shapes.refracted,
+            reflected: reflected * shapes.mirror().gray(),
+            transmitted: transmitted * shapes.refracted(),
+            amplitude: roots * (reflected * transmitted).sqrt(),
             turns: self.turns_per_nm * path + self.phase_shift.gray(),
         }
     }

@@ -57,16 +57,17 @@ impl<T: Element> Prepared<T> {
     fn densities(&self, wi: Vec3<T>, shapes: &Shapes<T>) -> PerLobe<T> {
         let mut densities = [T::new(0.0); MAX_LOBES];
         let diffuse = warp::cosine_hemisphere_pdf(wi.z);
-        let mirror = shapes.mirror * warp::power_cosine_normalization(self.exponent_reflection);
+        let mirror = shapes.mirror() * warp::power_cosine_normalization(self.exponent_reflection);
         densities[DIFFUSE_LOBE] = diffuse;
         densities[MIRROR_LOBE] = T::select(self.is_hemispherical(), diffuse, mirror);
         // cos_i dw_i = (r1 / r0)^2 cos_ii dw_ii turns the density inside into the one outside.
         let zero = T::Rgb::new(0.0);
         let normalization = warp::power_cosine_normalization(self.exponent_transmission);
         let jacobian = self.compression * wi.z.gray() / shapes.cos_ii;
+        let refracted = shapes.refracted();
         let refracted = T::Rgb::select(
-            shapes.refracted.gt(zero),
-            shapes.refracted * normalization.gray() * jacobian,
+            refracted.gt(zero),
+            refracted * normalization.gray() * jacobian,
             zero,
         );
         densities[REFRACTED_LOBE..][..3].copy_from_slice(&T::channels(refracted));

@@ -212,8 +212,7 @@ impl<P: Precision, T: Element<Scalar = P>> Scattering<T> for Surface<'_, T> {
         let alpha = self.settings.alpha;
         let normals = Ggx::isotropic(alpha);
         let pair = Pair::new(wo, wi);
-        let masking =
-            Masking::Smith.factor(Masking::Smith.areas(&normals, &pair), [alpha; 2], &pair);
+        let masking = normals.smith(&pair);
         let highlight = normals.density(pair.h) * masking;
         let fresnel = schlick(self.specular_f0(), pair.cos_half.gray());
         let diffuse = self.diffuse(wo, wi) * self.coupling(wo, wi).gray();

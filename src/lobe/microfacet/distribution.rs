@@ -4,6 +4,7 @@ use super::abc::Abc;
 use super::beckmann::Beckmann;
 use super::blinn_phong::BlinnPhong;
 use super::ggx::Ggx;
+use super::masking::Pair;
 use super::sgd::Sgd;
 use crate::math::{Element, Vec3};
 
@@ -29,6 +30,14 @@ pub(crate) trait Normals<T: Element>: Copy {
 
     /// The density of [`Normals::sample`], per steradian of h.
     fn sample_density(&self, wo: Vec3<T>, h: Vec3<T>) -> T;
+
+    /// G / (4 n.v) with Smith's masking, G = 1 / (1 + Lambda(wo) + Lambda(wi)): Heitz 2014, eq. 99.
+    #[inline(always)]
+    fn smith(&self, pair: &Pair<T>) -> T {
+        let (nv, nl) = (pair.wo.z, pair.wi.z);
+        let seen = nv + self.averted_area(pair.wo);
+        T::new(0.25) / (seen + nv / nl * self.averted_area(pair.wi))
+    }
 
     /// The density of visible normals over <wo, h>: G1 D / wo.z.
     #[inline(always)]

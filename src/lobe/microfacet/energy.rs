@@ -89,8 +89,8 @@ impl<T: Element> Reflected<T> {
         let is_above = wi.z.gt(zero);
         let pair = Pair::new(wo, Vec3::select(is_above, wi, wo));
         let density = normals.reflected_density(wo, pair.h, pair.cos_half);
-        let value =
-            normals.density(pair.h) * masking.factor(masking.areas(normals, &pair), alpha, &pair);
+        let value = normals.density(pair.h)
+            * masking.factor(masking.of_normals(normals, &pair), alpha, &pair);
         let is_usable = is_above & density.gt(zero);
         let weight = value / T::select(is_usable, density, T::new(1.0));
         Self {

@@ -2,6 +2,7 @@
 //! an ellipsoid's surface, with long tails.
 
 use super::distribution::{Normals, stretched};
+use super::masking::Pair;
 use crate::math::{Element, PI, Vec3};
 
 /// GGX with a roughness along each axis.
@@ -19,15 +20,38 @@ impl<T: Element> Ggx<T> {
     }
 }
 
+impl<T: Element> Ggx<T> {
+    /// Of the direction [`stretched`].
+    #[inline(always)]
+    fn length(&self, w: Vec3<T>) -> T {
+        stretched(w, self.alpha).length_squared().sqrt()
+    }
+}
+
 impl<T: Element> Normals<T> for Ggx<T> {
     /// Walter et al. 2007, eq. 33, and its anisotropic form, Burley 2012, eq. 13. The sine comes from
     /// h.x and h.y: for alpha = 1e-4 the whole lobe has h.z = 1 in single precision.
     #[inline(always)]
     fn density(&self, h: Vec3<T>) -> T {
         let [x, y] = self.alpha;
-        let length_squared = (h.x / x).squared() + (h.y / y).squared() + h.z.squared();
-        let density = T::new(1.0 / PI) / (x * y * length_squared.squared());
+        // (hx / ax)^2 + (hy / ay)^2 + hz^2 with the divisors multiplied out.
+        let both = x * y;
+        let length_squared = (h.x * y).squared() + (h.y * x).squared() + (h.z * both).squared();
+        let density = T::new(1.0 / PI) * both.squared() * both / length_squared.squared();
         T::select(h.z.gt(T::new(0.0)), density, T::new(0.0))
+    }
+
+    /// 1 + Lambda = (w.z + length) / (2 w.z), see [`Normals::averted_area`]: with those of both directions the
+    /// differences of the lengths cancel on paper.
+    #[inline(always)]
+    fn smith(&self, pair: &Pair<T>) -> T {
+        let ratio = pair.wo.z / pair.wi.z;
+        T::new(0.5) / (self.length(pair.wo) + ratio * self.length(pair.wi))
+    }
+
+    #[inline(always)]
+    fn visible(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
+        self.density(h) * T::new(2.0) / (wo.z + self.length(wo))
     }
 
     /// Lambda = (sqrt(1 + alpha^2 tan^2) - 1) / 2: Heitz 2014, eq. 72 and 80. Multiplied by w.z it is

@@ -88,30 +88,26 @@ impl Masking {
         Self::Implicit,
     ];
 
-    /// The averted areas of the viewer's and the light's direction, which [`Masking::Smith`] alone needs: all
-    /// that masking asks of the distribution.
+    /// [`Normals::smith`], where it is asked for: all that masking needs of the distribution.
     #[inline(always)]
-    pub fn areas<T: Element, N: Normals<T>>(self, normals: &N, pair: &Pair<T>) -> [T; 2] {
+    pub fn of_normals<T: Element, N: Normals<T>>(self, normals: &N, pair: &Pair<T>) -> T {
         if self == Self::Smith {
-            return [normals.averted_area(pair.wo), normals.averted_area(pair.wi)];
+            normals.smith(pair)
+        } else {
+            T::new(0.0)
         }
-        [T::new(0.0); 2]
     }
 
     /// G / (4 n.v), which times D and F is the value f(wo, wi) n.l: the cosines of the definition are
     /// cancelled on paper, because their products vanish in rounding at the horizon. Those of
     /// [`Masking::Kelemen`] and [`Masking::CookTorrance`] are held at [`GREATEST`].
     #[inline(always)]
-    pub fn factor<T: Element>(self, areas: [T; 2], alpha: [T; 2], pair: &Pair<T>) -> T {
+    pub fn factor<T: Element>(self, smith: T, alpha: [T; 2], pair: &Pair<T>) -> T {
         let (one, quarter) = (T::new(1.0), T::new(0.25));
         let (nv, nl) = (pair.wo.z, pair.wi.z);
         let vh = pair.cos_half;
         match self {
-            // G = 1 / (1 + Lambda(wo) + Lambda(wi)): Heitz 2014, eq. 99.
-            Self::Smith => {
-                let seen = nv + areas[0];
-                quarter / (seen + nv / nl * areas[1])
-            }
+            Self::Smith => smith,
             // G1 = n.v / (n.v (1 - k) + k), k = m sqrt(2 / pi): Schlick 1994, eq. 19, as the lecture
             // prints it.
             Self::Schlick => {

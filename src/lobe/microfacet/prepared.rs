@@ -127,12 +127,12 @@ impl<P: Precision, T: Element<Scalar = P>> Scattering<T> for Surface<'_, T> {
     #[inline(always)]
     fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
         let pair = Pair::new(wo, wi).turned(self.turn_back());
-        let (normals, areas, density) = with_normals!(self.distribution(), |normals| (
+        let (normals, smith, density) = with_normals!(self.distribution(), |normals| (
             normals.density(pair.h),
-            self.masking.areas(&normals, &pair),
+            self.masking.of_normals(&normals, &pair),
             normals.reflected_density(pair.wo, pair.h, pair.cos_half),
         ));
-        let highlight = normals * self.masking.factor(areas, self.shape.axes, &pair);
+        let highlight = normals * self.masking.factor(smith, self.shape.axes, &pair);
         let reflectance = self.fresnel.reflectance(pair.cos_half);
         let mut value = each!(reflectance, |reflectance| reflectance * highlight);
         let mut densities = only_first(density);

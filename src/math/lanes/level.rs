@@ -22,7 +22,7 @@ const VARIABLE: &str = "PELLICLE_SIMD";
 
 impl Level {
     /// The widest, or the one that the environment variable `PELLICLE_SIMD` names, if it is narrower:
-    /// looked up once per process.
+    /// looked up once per process, which allocates: by create(), not by what evaluates.
     pub fn chosen() -> Self {
         static CHOSEN: OnceLock<Level> = OnceLock::new();
         *CHOSEN.get_or_init(|| {
