@@ -31,6 +31,7 @@ pub unsafe extern "C" fn pellicle_bsdf_create(
     bsdf: *mut *mut PellicleBsdf,
 ) -> PellicleStatus {
     quiet_panics();
+    // Looked up here, as evaluation must not allocate.
     Level::chosen();
     guard(|| {
         require(bsdf, "bsdf")?;

@@ -33,6 +33,7 @@ pub unsafe extern "C" fn pellicle_film_create(
     film: *mut *mut PellicleFilm,
 ) -> PellicleStatus {
     quiet_panics();
+    // Looked up here, as evaluation must not allocate.
     Level::chosen();
     guard(|| {
         require(film, "film")?;

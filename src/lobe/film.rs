@@ -31,6 +31,7 @@
 
 use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
 use super::kernel::{Direction, Kernel, Override};
+use super::mixture::{choose, only};
 use super::power_lobe::mean;
 use super::precision::Precision;
 use super::scattering::{Compiled, MAX_LOBES, Model, PerLobe, normalized};
@@ -197,18 +198,6 @@ impl<T: Precision> Split<T> {
         normalized(shares)
     }
 
-    /// The lobe in whose share the number lies; none if both shares are 0.
-    #[inline(always)]
-    fn choose(&self, selection: &PerLobe<T>, u: T) -> Option<usize> {
-        let [reflection, transmission] =
-            [REFLECTION_LOBE, TRANSMISSION_LOBE].map(|lobe| selection[lobe]);
-        let zero = T::new(0.0);
-        if reflection > zero && (u < reflection || transmission <= zero) {
-            return Some(REFLECTION_LOBE);
-        }
-        (transmission > zero).then_some(TRANSMISSION_LOBE)
-    }
-
     /// Radiance towards the viewer for radiance 1 of each lobe's light.
     #[inline(always)]
     fn radiance(&self, lobe: usize) -> Rgb<T> {
@@ -240,7 +229,7 @@ impl<T: Precision> Kernel<T> for Prepared<T> {
     fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
         let split = self.split(overrides, wo);
         let selection = split.selection();
-        let lobe = split.choose(&selection, u[0])?;
+        let lobe = only(&choose(&selection, u[0]))?;
         let (wi, eta) = if lobe == REFLECTION_LOBE {
             (wo.mirrored(), T::new(1.0))
         } else {

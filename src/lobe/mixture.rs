@@ -16,7 +16,7 @@ pub trait Surfaces<T: Precision>: Send + Sync + 'static {
     /// What is evaluated.
     type Surface<'a, L: Element<Scalar = T>>: Scattering<L>;
 
-    /// With the parameters' own values.
+    /// With the parameters' own values; [`Scattering::settle`] is still to be called.
     fn surface<L: Element<Scalar = T>>(&self) -> Self::Surface<'_, L>;
 }
 
@@ -25,7 +25,7 @@ pub trait Surfaces<T: Precision>: Send + Sync + 'static {
 macro_rules! with_surface {
     ($self:ident, $overrides:ident, |$surface:ident| $body:expr) => {
         if $overrides.is_empty() {
-            let $surface = &$self.0.surface::<T>();
+            let $surface = &$self.varied(&[]);
             $body
         } else {
             let $surface = &$self.varied($overrides);
@@ -173,7 +173,7 @@ pub(super) fn sample<T: Element, S: Scattering<T>>(
     let chosen = choose(&selection, u[0]);
     if T::COUNT == 1 {
         // One lobe at most, which need not be known to the compiler.
-        if let Some(lobe) = chosen.iter().position(|is_chosen| is_chosen.any()) {
+        if let Some(lobe) = only(&chosen) {
             wi = surface.sample(lobe, wo, [u[1], u[2]]);
             number = T::new(lobe as f64);
         }
@@ -202,9 +202,15 @@ pub(super) fn sample<T: Element, S: Scattering<T>>(
     }
 }
 
+/// The chosen lobe, where there is but one number.
+#[inline(always)]
+pub(super) fn only<M: Mask>(chosen: &[M; MAX_LOBES]) -> Option<usize> {
+    chosen.iter().position(|is_chosen| is_chosen.any())
+}
+
 /// Which lobe's share of [0, 1) the number lies in; none if all shares are 0.
 #[inline(always)]
-fn choose<T: Element>(selection: &PerLobe<T>, u: T) -> [T::Mask; MAX_LOBES] {
+pub(super) fn choose<T: Element>(selection: &PerLobe<T>, u: T) -> [T::Mask; MAX_LOBES] {
     let zero = T::new(0.0);
     let never = zero.lt(zero);
     let (mut chosen, mut is_open, mut below) = ([never; MAX_LOBES], !never, zero);

@@ -53,7 +53,7 @@ pub trait Scattering<T: Element> {
     /// direction is unit.
     fn vary(&mut self, param: usize, value: [T; 3]);
 
-    /// To be called after the last of a call's values; whatever follows from several of them.
+    /// To be called before evaluation, after the last of the values: what follows from several of them.
     fn settle(&mut self) {}
 
     /// f(wo, wi) |wi.z|.

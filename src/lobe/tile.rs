@@ -150,7 +150,8 @@ impl<M: Surfaces<f32>> Work<f32> for Eval<'_, M> {
         let elements = (0..tile.wo[0].len()).step_by(L::COUNT);
         if tile.varied.is_empty() {
             // In loops of their own, as much follows from what does not vary, once for all elements.
-            let surface = model.surface::<L>();
+            let mut surface = model.surface::<L>();
+            surface.settle();
             if tile.pdf.is_some() {
                 for from in elements {
                     tile.both(&surface, from, always);

@@ -65,16 +65,14 @@ impl<T: Precision> Surfaces<T> for Rough<T> {
 
     #[inline(always)]
     fn surface<L: Element<Scalar = T>>(&self) -> Surface<'_, L> {
-        let mut surface = Surface {
+        Surface {
             normals: &self.normals,
             shape: self.shape.splat(),
             fresnel: self.facets.fresnel(),
             masking: self.masking,
             compensation: self.compensation.as_ref(),
             returned: None,
-        };
-        surface.settle();
-        surface
+        }
     }
 }
 
