@@ -310,6 +310,9 @@ typedef struct PellicleBsdfInfo {
     uint32_t varying_floats;
     // How many lobes sample() chooses from.
     uint32_t lobe_count;
+    // What the BSDF was specialised to, in words: terms that its values leave out, formulas that are shorter
+    // for them, and the instructions that batches run with. Lives as long as the BSDF.
+    const char *plan;
 } PellicleBsdfInfo;
 
 // A sampled direction. Grows by appending; pass sizeof(PellicleSample).

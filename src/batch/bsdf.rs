@@ -6,6 +6,7 @@ use super::view::{ConstView, View};
 use crate::bsdf::{Bsdf, Found, Given};
 use crate::error::Error;
 use crate::math::Level;
+use std::mem::MaybeUninit;
 
 /// Fewer elements are faster one by one.
 pub(super) const LEAST_TILE: usize = 4;
@@ -98,10 +99,10 @@ fn are_apart(
 }
 
 unsafe fn eval_one_by_one(bsdf: &Bsdf, args: &EvalArgs, varying: &VaryingViews) {
-    let mut numbers = [0.0; MAX_FLOATS];
     for i in 0..args.count {
         // SAFETY: as in `eval`.
         unsafe {
+            let mut numbers = MaybeUninit::uninit();
             let varying = varying.one(i, &mut numbers);
             let (wo, wi) = (args.wo.vector(i).into(), args.wi.vector(i).into());
             if args.pdf.data.is_null() {
@@ -193,10 +194,10 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(),
 }
 
 unsafe fn sample_one_by_one(bsdf: &Bsdf, args: &SampleArgs, varying: &VaryingViews) {
-    let mut numbers = [0.0; MAX_FLOATS];
     for i in 0..args.count {
         // SAFETY: as in `sample`.
         unsafe {
+            let mut numbers = MaybeUninit::uninit();
             let varying = varying.one(i, &mut numbers);
             let (wo, u) = (args.wo.vector(i).into(), args.u.vector(i).into());
             let sample = bsdf.sample(wo, u, varying);

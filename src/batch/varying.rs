@@ -4,6 +4,7 @@ use super::column::{Chunk, Column, Span};
 use super::view::{ConstView, check_reach};
 use crate::bsdf::{Bsdf, MAX_VARYING};
 use crate::error::Error;
+use std::mem::MaybeUninit;
 
 /// The most numbers that varying parameters may have together.
 pub(super) const MAX_FLOATS: usize = 3 * MAX_VARYING;
@@ -83,11 +84,12 @@ impl<'a> VaryingViews<'a> {
     pub unsafe fn one<'b>(
         &self,
         i: usize,
-        numbers: &'b mut [f32; MAX_FLOATS],
+        numbers: &'b mut MaybeUninit<[f32; MAX_FLOATS]>,
     ) -> Option<&'b [f32]> {
         if self.views.is_empty() {
             return None;
         }
+        let numbers = numbers.write([0.0; MAX_FLOATS]);
         let floats = self.bsdf.varying_floats();
         numbers[..floats].copy_from_slice(self.bsdf.varying_defaults());
         let mut first = 0;

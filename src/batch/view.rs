@@ -6,6 +6,7 @@ use crate::error::Error;
 /// A strided array to read: component c of element i is `i * element_stride + c * component_stride`
 /// bytes from `data`. Any alignment, any sign of stride.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub struct ConstView {
     /// Component 0 of element 0.
     pub data: *const f32,

@@ -9,7 +9,8 @@ pub use description::Description;
 
 use crate::error::Error;
 use crate::lobe::{self, Flags, Kernel, LobeInfo, ModelInfo, Override, PerLobe, Precision, Values};
-use crate::math::{Rgb, Vec3};
+use crate::math::{Level, Rgb, Vec3};
+use std::ffi::{CStr, CString};
 pub(crate) use tiles::{Found, Given};
 pub(crate) use varying::MAX_VARYING;
 use varying::Varying;
@@ -84,6 +85,7 @@ pub struct Bsdf<T: Scalar = f32> {
     is_two_sided: bool,
     kernel: Box<dyn Kernel<T>>,
     varying: Varying<T>,
+    plan: CString,
 }
 
 impl<T: Scalar> Bsdf<T> {
@@ -97,11 +99,13 @@ impl<T: Scalar> Bsdf<T> {
         let resolved = description.resolve(entry)?;
         let values = resolved.values_in::<T>(entry.info);
         let lobes = (entry.lobes)(&resolved.values);
+        let kernel = T::prepare(entry, &values)?;
         Ok(Self {
+            plan: plan_in_words(&*kernel),
             info: entry.info,
             lobes,
             is_two_sided: Flags::of(lobes).contains(Flags::TRANSMISSION),
-            kernel: T::prepare(entry, &values)?,
+            kernel,
             varying: Varying::new(entry.info, &values, &resolved.varying),
         })
     }
@@ -109,6 +113,12 @@ impl<T: Scalar> Bsdf<T> {
     /// What the model says about itself.
     pub fn info(&self) -> &'static ModelInfo {
         self.info
+    }
+
+    /// What this BSDF was specialised to: terms that its values leave out and formulas that are shorter for
+    /// them, separated by commas; and what batches run with.
+    pub fn plan(&self) -> &CStr {
+        &self.plan
     }
 
     /// The flags of the lobes that this BSDF has, together: those of the model, or fewer.
@@ -230,4 +240,16 @@ impl<T: Scalar> Bsdf<T> {
         };
         is_valid.then_some(w)
     }
+}
+
+fn plan_in_words<T: Precision>(kernel: &dyn Kernel<T>) -> CString {
+    let mut words = kernel.plan().join(", ");
+    if words.is_empty() {
+        words.push_str("all terms");
+    }
+    let batches = match kernel.tiles() {
+        Some(_) => Level::chosen().name(),
+        None => "single calls",
+    };
+    CString::new(format!("{words}; batches by {batches}")).expect("no words contain NUL")
 }

@@ -30,12 +30,11 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
         unsafe {
             let bsdf = bsdf::handle(bsdf)?;
             let args = read_growing(args, args_size, "args")?;
-            let mut views = [NOTHING; MAX_VARYING];
             let args = EvalArgs {
                 count: args.count,
                 wo: args.wo.into(),
                 wi: args.wi.into(),
-                varying: convert(args.varying, args.varying_count, &mut views)?,
+                varying: varying_views(args.varying, args.varying_count)?,
                 value: args.value.into(),
                 pdf: args.pdf.into(),
             };
@@ -60,12 +59,11 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
         unsafe {
             let bsdf = bsdf::handle(bsdf)?;
             let args = read_growing(args, args_size, "args")?;
-            let mut views = [NOTHING; MAX_VARYING];
             let args = SampleArgs {
                 count: args.count,
                 wo: args.wo.into(),
                 u: args.u.into(),
-                varying: convert(args.varying, args.varying_count, &mut views)?,
+                varying: varying_views(args.varying, args.varying_count)?,
                 wi: args.wi.into(),
                 pdf: args.pdf.into(),
                 weight: args.weight.into(),
@@ -106,28 +104,19 @@ pub unsafe extern "C" fn pellicle_film_reflectance_batch(
     })
 }
 
-const NOTHING: ConstView = ConstView {
-    data: std::ptr::null(),
-    element_stride: 0,
-    component_stride: 0,
-};
-
-unsafe fn convert(
+unsafe fn varying_views<'a>(
     varying: *const PellicleConstView,
     count: usize,
-    views: &mut [ConstView; MAX_VARYING],
-) -> Result<&[ConstView], Error> {
+) -> Result<&'a [ConstView], Error> {
     if count > MAX_VARYING {
         return Err(Error::invalid(format!(
             "args->varying_count = {count} exceeds {MAX_VARYING}"
         )));
     }
+    // Both views are `repr(C)` and have the same fields.
+    const _: () = assert!(size_of::<PellicleConstView>() == size_of::<ConstView>());
     // SAFETY: the caller vouches for `count` views.
-    let given = unsafe { slice(varying, count, "args->varying")? };
-    for (view, given) in views.iter_mut().zip(given) {
-        *view = (*given).into();
-    }
-    Ok(&views[..count])
+    unsafe { slice(varying.cast(), count, "args->varying") }
 }
 
 impl From<PellicleConstView> for ConstView {

@@ -157,6 +157,10 @@ pub(super) unsafe fn read_growing<T: Copy>(
 ) -> Result<T, Error> {
     require(pointer, name)?;
     check_size(size, name)?;
+    if size == size_of::<T>() {
+        // SAFETY: `size` bytes are readable.
+        return Ok(unsafe { pointer.read_unaligned() });
+    }
     let known = size.min(size_of::<T>());
     let mut value = MaybeUninit::<T>::zeroed();
     // SAFETY: `known` bytes are readable and fit into T; zero is valid for what is left.

@@ -96,6 +96,7 @@ pub unsafe extern "C" fn pellicle_bsdf_info(
                 varying_count: bsdf.varying_count() as u32,
                 varying_floats: bsdf.varying_floats() as u32,
                 lobe_count: bsdf.lobe_infos().len() as u32,
+                plan: bsdf.plan().as_ptr(),
             };
             write_growing(info, info_size, &filled);
         }

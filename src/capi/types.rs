@@ -213,6 +213,9 @@ pub struct PellicleBsdfInfo {
     pub varying_floats: u32,
     /// How many lobes sample() chooses from.
     pub lobe_count: u32,
+    /// What the BSDF was specialised to, in words: terms that its values leave out, formulas that are shorter
+    /// for them, and the instructions that batches run with. Lives as long as the BSDF.
+    pub plan: *const c_char,
 }
 
 /// A sampled direction. Grows by appending; pass sizeof(PellicleSample).

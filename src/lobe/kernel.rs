@@ -53,6 +53,10 @@ pub trait Kernel<T: Precision>: Send + Sync {
     fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>>;
     /// Directional albedo.
     fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T>;
+    /// What of the model's terms is left out or found by shorter formulas, in words.
+    fn plan(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
     /// The same, many at once; none: one by one.
     fn tiles(&self) -> Option<&dyn Tiles> {
         None

@@ -18,6 +18,32 @@ pub trait Surfaces<T: Precision>: Send + Sync + 'static {
 
     /// With the parameters' own values; [`Scattering::settle`] is still to be called.
     fn surface<L: Element<Scalar = T>>(&self) -> Self::Surface<'_, L>;
+
+    /// See [`Kernel::plan`].
+    fn plan(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    /// Does work with the surface. A model that is evaluated in many ways has code of its own for the most
+    /// frequent ones, so that what is known of them is not asked again for every element; each such copy
+    /// takes its time to compile.
+    #[inline(always)]
+    fn with_surface<L: Element<Scalar = T>, W: SurfaceWork<L>>(&self, work: W) {
+        work.run_swiftly(self.surface::<L>());
+    }
+}
+
+/// Work with a surface. Must be `#[inline(always)]`.
+pub trait SurfaceWork<L: Element>: Sized {
+    /// Whether it is so short that copies of it for kinds of surfaces are worth their code.
+    const IS_SHORT: bool;
+    /// Does it.
+    fn run<S: Scattering<L>>(self, surface: S);
+    /// Does it as fast as possible, with more code.
+    #[inline(always)]
+    fn run_swiftly<S: Scattering<L>>(self, surface: S) {
+        self.run(surface);
+    }
 }
 
 /// Calls `$body` with `$surface` being that of `$self` under `$overrides`: by a path of its own if
@@ -82,6 +108,10 @@ impl<T: Precision, M: Surfaces<T>> Kernel<T> for Mixture<M> {
 
     fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
         Outlined(self.varied(overrides)).albedo(wo)
+    }
+
+    fn plan(&self) -> Vec<&'static str> {
+        self.0.plan()
     }
 
     fn tiles(&self) -> Option<&dyn Tiles> {

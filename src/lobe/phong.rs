@@ -18,9 +18,7 @@
 
 use super::info::{LobeInfo, ModelInfo, ParamInfo};
 use super::mixture::{Mixture, Surfaces};
-use super::power_lobe::{
-    conserving_normalization, estimated_integral, mean, power_of_cosine, sample_about,
-};
+use super::power_lobe::{Power, conserving_normalization, estimated_integral, mean, sample_about};
 use super::precision::Precision;
 use super::scattering::{Compiled, MAX_LOBES, Model, PerLobe, Scattering};
 use super::values::{Bounds, Values};
@@ -86,6 +84,11 @@ impl Model for Phong {
             diffuse: values.rgb(DIFFUSE),
             specular: values.rgb(SPECULAR),
             exponent: values.number(EXPONENT),
+            power: if values.varies(EXPONENT) {
+                Power::of_any(values.number(EXPONENT))
+            } else {
+                Power::of(values.number(EXPONENT))
+            },
         })))
     }
 }
@@ -96,6 +99,7 @@ pub struct Prepared<T> {
     diffuse: Rgb<T>,
     specular: Rgb<T>,
     exponent: T,
+    power: Power<T>,
 }
 
 impl<T: Precision> Surfaces<T> for Prepared<T> {
@@ -107,7 +111,16 @@ impl<T: Precision> Surfaces<T> for Prepared<T> {
             diffuse: each!(self.diffuse, |channel| L::splat(channel)),
             specular: each!(self.specular, |channel| L::splat(channel)),
             exponent: L::splat(self.exponent),
+            power: self.power.splat(),
         }
+    }
+
+    fn plan(&self) -> Vec<&'static str> {
+        let is_multiplied = self.power.is_multiplied();
+        is_multiplied
+            .then_some("exponent by products")
+            .into_iter()
+            .collect()
     }
 }
 
@@ -115,7 +128,8 @@ impl<T: Real> Prepared<T> {
     /// Value, and cos^e for the density.
     #[inline(always)]
     fn value_and_power(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
-        let power = power_of_cosine(wo.mirrored(), wi, self.exponent);
+        let complement = wo.mirrored().minus(wi).length_squared() * T::new(0.5);
+        let power = self.power.root(complement).squared();
         let normalization = conserving_normalization(self.exponent);
         let highlight = normalization * power;
         let value = each!([0, 1, 2], |channel| {
@@ -132,7 +146,10 @@ impl<T: Element> Scattering<T> for Prepared<T> {
         match param {
             DIFFUSE => self.diffuse = value,
             SPECULAR => self.specular = value,
-            _ => self.exponent = value[0],
+            _ => {
+                self.exponent = value[0];
+                self.power = Power::of_any(value[0]);
+            }
         }
     }
 

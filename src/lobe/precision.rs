@@ -6,7 +6,9 @@ use crate::film::Film;
 use crate::math::{Element, Rgb};
 
 /// One number at a time, so that code may branch: `f32` for renderers, `f64` as the oracle.
-pub trait Precision: Element<Mask = bool, Scalar = Self> + PartialOrd + Default {
+pub trait Precision:
+    Element<Mask = bool, Scalar = Self> + PartialOrd + Default + Into<f64>
+{
     /// Rounded to single precision, in which films are evaluated.
     fn to_f32(self) -> f32;
 
@@ -26,7 +28,10 @@ impl Precision for f32 {
 
     #[inline(always)]
     fn reflectance<L: Element<Scalar = f32>>(film: &Film, cos_theta: L, thickness_nm: L) -> Rgb<L> {
-        film.reflectance_lanes(cos_theta, thickness_nm)
+        L::apart(
+            #[inline(always)]
+            || film.reflectance_lanes(cos_theta, thickness_nm),
+        )
     }
 
     fn tiles<M: Surfaces<f32>>(model: &Mixture<M>) -> Option<&dyn Tiles> {

@@ -1,7 +1,7 @@
 //! Many calls of one kernel at once: numbers lie side by side by component, and are evaluated as many
 //! at a time as the processor has lanes.
 
-use super::mixture::{Sampled, Surfaces, eval_pdf, sample};
+use super::mixture::{Sampled, SurfaceWork, Surfaces, eval_pdf, sample};
 use super::scattering::Scattering;
 use crate::math::{Element, Level, Real, Vec3, Work, each};
 
@@ -145,28 +145,35 @@ impl<M: Surfaces<f32>> Work<f32> for Eval<'_, M> {
 
     #[inline(always)]
     fn run<L: Element<Scalar = f32>>(self) {
-        let Self { model, mut tile } = self;
-        let always = L::new(0.0).equals(L::new(0.0));
-        let elements = (0..tile.wo[0].len()).step_by(L::COUNT);
-        if tile.varied.is_empty() {
-            // In loops of their own, as much follows from what does not vary, once for all elements.
-            let mut surface = model.surface::<L>();
-            surface.settle();
-            if tile.pdf.is_some() {
-                for from in elements {
-                    tile.both(&surface, from, always);
-                }
-            } else {
-                for from in elements {
-                    tile.value(&surface, from, always);
-                }
-            }
-            return;
+        self.model.with_surface::<L, _>(self.tile);
+    }
+}
+
+impl<L: Element<Scalar = f32>> SurfaceWork<L> for EvalTile<'_> {
+    const IS_SHORT: bool = true;
+
+    /// A loop of its own for the most frequent case: as much follows from what does not vary, once for all
+    /// elements.
+    #[inline(always)]
+    fn run_swiftly<S: Scattering<L>>(mut self, mut surface: S) {
+        if self.pdf.is_some() || !self.varied.is_empty() {
+            return self.run(surface);
         }
-        let mut surface = model.surface::<L>();
-        for from in elements {
-            let is_usable = vary(&mut surface, tile.varied, from);
-            tile.both(&surface, from, is_usable);
+        surface.settle();
+        for from in (0..self.wo[0].len()).step_by(L::COUNT) {
+            self.value(&surface, from);
+        }
+    }
+
+    #[inline(always)]
+    fn run<S: Scattering<L>>(mut self, mut surface: S) {
+        surface.settle();
+        let mut is_usable = L::new(0.0).equals(L::new(0.0));
+        for from in (0..self.wo[0].len()).step_by(L::COUNT) {
+            if !self.varied.is_empty() {
+                is_usable = vary(&mut surface, self.varied, from);
+            }
+            self.both(&surface, from, is_usable);
         }
     }
 }
@@ -181,14 +188,9 @@ impl EvalTile<'_> {
     }
 
     #[inline(always)]
-    fn value<L: Element<Scalar = f32>, S: Scattering<L>>(
-        &mut self,
-        surface: &S,
-        from: usize,
-        is_usable: L::Mask,
-    ) {
+    fn value<L: Element<Scalar = f32>, S: Scattering<L>>(&mut self, surface: &S, from: usize) {
         let [wo, wi] = self.pair(from);
-        let is_seen = is_usable & is_above(wo) & is_above(wi);
+        let is_seen = is_above(wo) & is_above(wi);
         let value = surface.eval(wo, wi);
         let value = each!(value, |channel| L::select(is_seen, channel, L::new(0.0)));
         store(&mut self.value, from, value);
@@ -224,11 +226,18 @@ impl<M: Surfaces<f32>> Work<f32> for Sample<'_, M> {
 
     #[inline(always)]
     fn run<L: Element<Scalar = f32>>(self) {
-        let Self { model, mut tile } = self;
-        let mut surface = model.surface::<L>();
-        for from in (0..tile.wo[0].len()).step_by(L::COUNT) {
-            let is_usable = vary(&mut surface, tile.varied, from);
-            tile.sample(&surface, from, is_usable);
+        self.model.with_surface::<L, _>(self.tile);
+    }
+}
+
+impl<L: Element<Scalar = f32>> SurfaceWork<L> for SampleTile<'_> {
+    const IS_SHORT: bool = false;
+
+    #[inline(always)]
+    fn run<S: Scattering<L>>(mut self, mut surface: S) {
+        for from in (0..self.wo[0].len()).step_by(L::COUNT) {
+            let is_usable = vary(&mut surface, self.varied, from);
+            self.sample(&surface, from, is_usable);
         }
     }
 }

@@ -40,6 +40,9 @@ pub trait Element: Real {
     const COUNT: usize;
     /// The same everywhere.
     fn splat(number: Self::Scalar) -> Self;
+    /// What `work` gives, of lanes in a function of its own: for what is long and called from many places.
+    /// `work` must be `#[inline(always)]`.
+    fn apart<R>(work: impl FnOnce() -> R) -> R;
     /// The numbers of a slice, which must be [`Element::COUNT`].
     fn load(numbers: &[Self::Scalar]) -> Self;
     /// Into a slice of [`Element::COUNT`].
@@ -137,6 +140,10 @@ macro_rules! scalar_methods {
         #[inline(always)]
         fn splat(number: Self) -> Self {
             number
+        }
+        #[inline(always)]
+        fn apart<R>(work: impl FnOnce() -> R) -> R {
+            work()
         }
         #[inline(always)]
         fn load(numbers: &[Self]) -> Self {

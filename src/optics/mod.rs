@@ -3,6 +3,7 @@
 
 mod color;
 mod complex;
+mod conductor;
 mod dispersion;
 mod fresnel;
 mod media;
@@ -12,6 +13,7 @@ pub mod stack;
 
 pub use color::{ChannelWeights, ColorSpace, VISIBLE_NM, White, matching_functions};
 pub use complex::Complex;
+pub use conductor::ConductorPolynomial;
 pub use dispersion::Medium;
 pub use fresnel::{
     conductor_reflectance, dielectric_reflectance, normal_reflectance, schlick, schlick_between,

@@ -41,12 +41,20 @@ impl<T: Real> Interface<T> {
     /// cosine itself, not the length of the tangential part, which vanishes in rounding at grazing.
     #[inline(always)]
     pub fn inside(&self, w: Vec3<T>) -> Vec3<T> {
-        let cos_squared = self.complement + self.ratio.squared() * w.z.squared();
-        Vec3::new(
-            self.ratio * w.x,
-            self.ratio * w.y,
-            cos_squared.sqrt_positive(),
-        )
+        Vec3::new(self.ratio * w.x, self.ratio * w.y, self.cosine_inside(w.z))
+    }
+
+    /// The z of [`Interface::inside`], of that of `w` alone.
+    #[inline(always)]
+    pub fn cosine_inside(&self, cos_theta: T) -> T {
+        let cos_squared = self.complement + self.ratio.squared() * cos_theta.squared();
+        cos_squared.sqrt_positive()
+    }
+
+    /// r0 / r1
+    #[inline(always)]
+    pub fn ratio(&self) -> T {
+        self.ratio
     }
 
     /// The outer direction of the ray whose inner part is `a` (unit, z > 0), both pointing to
@@ -79,6 +87,16 @@ impl<C: Real> Interface<C> {
         Interface {
             ratio: T::channels(self.ratio)[c],
             complement: T::channels(self.complement)[c],
+        }
+    }
+
+    /// The first channel's in all of them.
+    #[inline(always)]
+    pub fn gray<T: Element<Rgb = C>>(&self) -> Self {
+        let Interface { ratio, complement } = self.channel::<T>(0);
+        Interface {
+            ratio: ratio.gray(),
+            complement: complement.gray(),
         }
     }
 }

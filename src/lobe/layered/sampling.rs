@@ -19,13 +19,13 @@ impl<T: Element> Scattering<T> for Prepared<T> {
 
     #[inline(always)]
     fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
-        self.value(wo, wi, &self.shapes(wo, wi))
+        self.eval_shapes(wo, wi).0
     }
 
     #[inline(always)]
     fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
-        let shapes = self.shapes(wo, wi);
-        (self.value(wo, wi, &shapes), self.densities(wi, &shapes))
+        let (value, shapes) = self.eval_shapes(wo, wi);
+        (value, self.densities(wi, shapes.as_ref()))
     }
 
     #[inline(always)]
@@ -54,16 +54,19 @@ impl<T: Element> Scattering<T> for Prepared<T> {
 impl<T: Element> Prepared<T> {
     /// The density of each lobe at wi.
     #[inline(always)]
-    fn densities(&self, wi: Vec3<T>, shapes: &Shapes<T>) -> PerLobe<T> {
+    fn densities(&self, wi: Vec3<T>, shapes: Option<&Shapes<T>>) -> PerLobe<T> {
         let mut densities = [T::new(0.0); MAX_LOBES];
         let diffuse = warp::cosine_hemisphere_pdf(wi.z);
-        let mirror = shapes.mirror() * warp::power_cosine_normalization(self.exponent_reflection);
         densities[DIFFUSE_LOBE] = diffuse;
+        let Some(shapes) = shapes else {
+            return densities;
+        };
+        let mirror = shapes.mirror() * warp::power_cosine_normalization(self.exponent_reflection);
         densities[MIRROR_LOBE] = T::select(self.is_hemispherical(), diffuse, mirror);
         // cos_i dw_i = (r1 / r0)^2 cos_ii dw_ii turns the density inside into the one outside.
         let zero = T::Rgb::new(0.0);
         let normalization = warp::power_cosine_normalization(self.exponent_transmission);
-        let jacobian = self.compression * wi.z.gray() / shapes.cos_ii;
+        let jacobian = self.upper.compression * wi.z.gray() / shapes.cos_ii;
         let refracted = shapes.refracted();
         let refracted = T::Rgb::select(
             refracted.gt(zero),
@@ -95,7 +98,7 @@ impl<T: Element> Prepared<T> {
     #[inline(always)]
     fn sample_refracted(&self, c: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
         let zero = T::new(0.0);
-        let interface = self.interface.channel(c);
+        let interface = self.upper.interface.channel(c);
         let axis = interface.inside(wo).mirrored_about(self.base_normal);
         let a = sample_about(axis, self.exponent_transmission, u);
         let possible = a.z.gt(zero) & a.dot(self.base_normal).gt(zero);
@@ -110,7 +113,8 @@ impl<T: Element> Prepared<T> {
         // A broad lobe sees other incidences than the mirror's: 1/21 is the mean of Schlick's
         // (1 - cos)^5 over the hemisphere (GH02 eq. 12).
         let spread = T::new(1.0 / 21.0) / (e0 + T::new(1.0));
-        let fresnel = schlick(self.f0, wo.z.gray()) + (T::Rgb::new(1.0) - self.f0) * spread.gray();
+        let fresnel = schlick(self.upper.f0, wo.z.gray())
+            + (T::Rgb::new(1.0) - self.upper.f0) * spread.gray();
         self.scale_reflection * mean(T::channels(fresnel)) * estimated_integral(e0, wo.z)
     }
 
@@ -120,19 +124,20 @@ impl<T: Element> Prepared<T> {
         let (zero, one, half) = (T::Rgb::new(0.0), T::Rgb::new(1.0), T::Rgb::new(0.5));
         let e1 = self.exponent_transmission.gray();
         let n1 = self.base_normal.gray();
-        let b = self.interface.inside(wo.gray());
+        let b = self.upper.interface.inside(wo.gray());
         let axis = b.mirrored_about(n1);
         // Part of the lobe inside the critical cone: a sigmoid of the axis' distance from it in
         // units of the lobe's spread, with tails heavy enough never to starve what remains.
-        let critical = self.interface.critical_cosine_squared().sqrt();
+        let critical = self.upper.interface.critical_cosine_squared().sqrt();
         let distance = (axis.z - critical) * (e1 + T::Rgb::new(2.0)).sqrt();
         let inside = half + half * distance / (one + distance.squared()).sqrt();
-        let exit = smooth_cosine(e1, self.interface.outside(axis).z).min(one);
-        let crossings = (one - schlick(self.f0, wo.z.gray())) * (one - schlick(self.f0, exit));
+        let exit = smooth_cosine(e1, self.upper.interface.outside(axis).z).min(one);
+        let crossings =
+            (one - schlick(self.upper.f0, wo.z.gray())) * (one - schlick(self.upper.f0, exit));
         let lobe = estimated_integral(e1, axis.z.max(critical)) * inside;
         // In `paper` the lobe is measured inside, where directions are denser than outside.
         let density = if self.is_paper {
-            one / self.compression
+            one / self.upper.compression
         } else {
             one
         };

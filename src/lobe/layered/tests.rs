@@ -38,8 +38,8 @@ fn terms(case: &Case) -> [[f64; 3]; 4] {
         direction(case.wo.0, case.wo.1),
         direction(case.wi.0, case.wi.1),
     );
-    let shapes = prepared.shapes(wo, wi);
-    let terms = prepared.terms(wo, wi, &shapes);
+    let shapes = prepared.shapes(&prepared.upper, wo, wi);
+    let terms = prepared.terms(&prepared.upper, wo, wi, &shapes);
     [
         f64::channels(terms.reflected),
         f64::channels(terms.transmitted),

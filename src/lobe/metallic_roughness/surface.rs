@@ -213,13 +213,13 @@ impl<P: Precision, T: Element<Scalar = P>> Scattering<T> for Surface<'_, T> {
         let normals = Ggx::isotropic(alpha);
         let pair = Pair::new(wo, wi);
         let masking = normals.smith(&pair);
-        let highlight = normals.density(pair.h) * masking;
+        let highlight = normals.density_between(&pair) * masking;
         let fresnel = schlick(self.specular_f0(), pair.cos_half.gray());
         let diffuse = self.diffuse(wo, wi) * self.coupling(wo, wi).gray();
         let value = T::channels(fresnel * highlight.gray() + diffuse);
         let mut densities = [T::new(0.0); MAX_LOBES];
         densities[DIFFUSE_LOBE] = warp::cosine_hemisphere_pdf(wi.z);
-        densities[SPECULAR_LOBE] = normals.reflected_density(wo, pair.h, pair.cos_half);
+        densities[SPECULAR_LOBE] = normals.reflected_density(&pair);
         (value, densities)
     }
 

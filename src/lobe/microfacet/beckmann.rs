@@ -1,6 +1,7 @@
 //! The distribution of Beckmann and Spizzichino 1963: normally distributed slopes.
 
 use super::distribution::{Normals, stretched};
+use super::masking::Pair;
 use crate::math::{Element, Mask, PI, Real, Vec3, erfcx, erfinv};
 
 /// Beckmann with a roughness along each axis: the slopes have the variances alpha^2 / 2.
@@ -131,7 +132,7 @@ impl<T: Element> Normals<T> for Beckmann<T> {
     }
 
     #[inline(always)]
-    fn reflected_density(&self, wo: Vec3<T>, h: Vec3<T>, _wo_dot_h: T) -> T {
-        self.visible(wo, h) * T::new(0.25)
+    fn reflected_density(&self, pair: &Pair<T>) -> T {
+        self.visible(pair.wo, pair.h()) * T::new(0.25)
     }
 }

@@ -1,11 +1,6 @@
-//! What is asked of a distribution of microfacet normals, and the choice of one.
+//! What is asked of a distribution of microfacet normals.
 
-use super::abc::Abc;
-use super::beckmann::Beckmann;
-use super::blinn_phong::BlinnPhong;
-use super::ggx::Ggx;
 use super::masking::Pair;
-use super::sgd::Sgd;
 use crate::math::{Element, Vec3};
 
 /// Within 1e-30 of the horizon factors that are not bounded there are held at this number, so that
@@ -18,6 +13,12 @@ pub(super) const GREATEST: f64 = 1e30;
 pub(crate) trait Normals<T: Element>: Copy {
     /// D(h), per steradian; 0 for h.z <= 0. The integral of D(h) h.z over the hemisphere is 1.
     fn density(&self, h: Vec3<T>) -> T;
+
+    /// D of the half vector of two directions.
+    #[inline(always)]
+    fn density_between(&self, pair: &Pair<T>) -> T {
+        self.density(pair.h())
+    }
 
     /// w.z Lambda(w) with Smith's Lambda (Heitz 2014, eq. 42 and 43): the projected area, seen from w
     /// and per area of the surface, of the facets that face away from w, the integral of
@@ -49,8 +50,9 @@ pub(crate) trait Normals<T: Element>: Copy {
     /// [`Normals::sample_density`] over 4 <wo, h> (Walter et al. 2007, eq. 14), whose inverse is held
     /// at [`GREATEST`].
     #[inline(always)]
-    fn reflected_density(&self, wo: Vec3<T>, h: Vec3<T>, wo_dot_h: T) -> T {
-        self.sample_density(wo, h) * (T::new(0.25) / wo_dot_h).min(T::new(GREATEST))
+    fn reflected_density(&self, pair: &Pair<T>) -> T {
+        let jacobian = (T::new(0.25) / pair.cos_half).min(T::new(GREATEST));
+        self.sample_density(pair.wo, pair.h()) * jacobian
     }
 }
 
@@ -60,32 +62,3 @@ pub(crate) trait Normals<T: Element>: Copy {
 pub(super) fn stretched<T: Element>(w: Vec3<T>, alpha: [T; 2]) -> Vec3<T> {
     Vec3::new(w.x * alpha[0], w.y * alpha[1], w.z)
 }
-
-/// One of the distributions.
-#[derive(Clone, Copy)]
-pub(crate) enum Distribution<'a, T: Element> {
-    /// [`Ggx`]
-    Ggx(Ggx<T>),
-    /// [`Beckmann`]
-    Beckmann(Beckmann<T>),
-    /// [`BlinnPhong`]
-    BlinnPhong(&'a BlinnPhong<T::Scalar>),
-    /// [`Abc`]
-    Abc(&'a Abc<T::Scalar>),
-    /// [`Sgd`]
-    Sgd(&'a Sgd<T::Scalar>),
-}
-
-/// An expression in the normals of whichever distribution it is: the choice is made once per call.
-macro_rules! with_normals {
-    ($distribution:expr, |$normals:ident| $body:expr) => {
-        match $distribution {
-            $crate::lobe::microfacet::distribution::Distribution::Ggx($normals) => $body,
-            $crate::lobe::microfacet::distribution::Distribution::Beckmann($normals) => $body,
-            $crate::lobe::microfacet::distribution::Distribution::BlinnPhong($normals) => $body,
-            $crate::lobe::microfacet::distribution::Distribution::Abc($normals) => $body,
-            $crate::lobe::microfacet::distribution::Distribution::Sgd($normals) => $body,
-        }
-    };
-}
-pub(super) use with_normals;

@@ -88,8 +88,8 @@ impl<T: Element> Reflected<T> {
         let wi = wo.mirrored_about(normals.sample(wo, u));
         let is_above = wi.z.gt(zero);
         let pair = Pair::new(wo, Vec3::select(is_above, wi, wo));
-        let density = normals.reflected_density(wo, pair.h, pair.cos_half);
-        let value = normals.density(pair.h)
+        let density = normals.reflected_density(&pair);
+        let value = normals.density_between(&pair)
             * masking.factor(masking.of_normals(normals, &pair), alpha, &pair);
         let is_usable = is_above & density.gt(zero);
         let weight = value / T::select(is_usable, density, T::new(1.0));

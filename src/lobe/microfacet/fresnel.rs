@@ -5,7 +5,9 @@ use crate::error::Error;
 use crate::film::{Film, FilmDescription};
 use crate::lobe::precision::Precision;
 use crate::math::{Element, Real, Rgb, each};
-use crate::optics::{Medium, conductor_reflectance, dielectric_reflectance, schlick_between};
+use crate::optics::{
+    ConductorPolynomial, Medium, conductor_reflectance, dielectric_reflectance, schlick_between,
+};
 use std::sync::Arc;
 
 /// What facets consist of, with the parameters set; borrows the film.
@@ -14,9 +16,11 @@ pub(super) enum Fresnel<'a, T: Element> {
     /// Schlick's approximation.
     Schlick { f0: T::Rgb, f90: T::Rgb },
     /// Exact, transparent.
-    Dielectric { eta: T::Rgb },
+    Dielectric { eta: T::Rgb, is_gray: bool },
     /// Exact, at one index eta + i k per channel.
     Conductor { eta: T::Rgb, k: T::Rgb },
+    /// The same to within rounding.
+    Polynomial(&'a ConductorPolynomial<<T::Scalar as Element>::Rgb>),
     /// By wave optics, spectrally integrated.
     Film { film: &'a Film, thickness_nm: T },
 }
@@ -29,9 +33,18 @@ impl<T: Precision, L: Element<Scalar = T>> Fresnel<'_, L> {
         let cosines = cos_theta.gray();
         match *self {
             Self::Schlick { f0, f90 } => L::channels(schlick_between(f0, f90, cosines)),
-            Self::Dielectric { eta } => L::channels(dielectric_reflectance(cosines, eta)),
+            // In lanes one channel may serve all; alone they share a register.
+            Self::Dielectric { eta, is_gray: true } if L::COUNT > 1 => {
+                let [eta, ..] = L::channels(eta);
+                L::channels(dielectric_reflectance(cosines, eta.gray()))
+            }
+            Self::Dielectric { eta, .. } => L::channels(dielectric_reflectance(cosines, eta)),
             Self::Conductor { eta, k } => {
                 let reflectance = conductor_reflectance(cosines, eta, k);
+                L::channels(reflectance.min(L::Rgb::new(1.0)))
+            }
+            Self::Polynomial(polynomial) => {
+                let reflectance = polynomial.reflectance(cos_theta);
                 L::channels(reflectance.min(L::Rgb::new(1.0)))
             }
             Self::Film { film, thickness_nm } => {
@@ -58,9 +71,11 @@ pub(super) enum Facets<T: Element> {
     /// [`Fresnel::Schlick`]
     Schlick { f0: T::Rgb, f90: T::Rgb },
     /// [`Fresnel::Dielectric`]
-    Dielectric { eta: T::Rgb },
+    Dielectric { eta: T::Rgb, is_gray: bool },
     /// [`Fresnel::Conductor`]
     Conductor { eta: T::Rgb, k: T::Rgb },
+    /// [`Fresnel::Polynomial`]
+    Polynomial(ConductorPolynomial<T::Rgb>),
     /// [`Fresnel::Film`]
     Film { film: Arc<Film>, thickness_nm: T },
 }
@@ -75,6 +90,15 @@ impl<T: Precision> Facets<T> {
         })
     }
 
+    /// See [`Kernel::plan`](crate::lobe::kernel::Kernel::plan).
+    pub fn plan(&self) -> Option<&'static str> {
+        match self {
+            Self::Dielectric { is_gray: true, .. } => Some("one index for all channels"),
+            Self::Polynomial(_) => Some("conductor by polynomials"),
+            _ => None,
+        }
+    }
+
     /// For one call.
     #[inline(always)]
     pub fn fresnel<L: Element<Scalar = T>>(&self) -> Fresnel<'_, L> {
@@ -84,11 +108,15 @@ impl<T: Precision> Facets<T> {
                 f0: splat(f0),
                 f90: splat(f90),
             },
-            Self::Dielectric { eta } => Fresnel::Dielectric { eta: splat(eta) },
+            Self::Dielectric { eta, is_gray } => Fresnel::Dielectric {
+                eta: splat(eta),
+                is_gray,
+            },
             Self::Conductor { eta, k } => Fresnel::Conductor {
                 eta: splat(eta),
                 k: splat(k),
             },
+            Self::Polynomial(ref polynomial) => Fresnel::Polynomial(polynomial),
             Self::Film {
                 ref film,
                 thickness_nm,

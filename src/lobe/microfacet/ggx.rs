@@ -10,35 +10,60 @@ use crate::math::{Element, PI, Vec3};
 pub(crate) struct Ggx<T> {
     /// Along X and Y, > 0.
     pub alpha: [T; 2],
+    /// Whether they are known to be equal: then less is computed.
+    pub is_round: bool,
 }
 
 impl<T: Element> Ggx<T> {
     /// The same in every direction.
     #[inline(always)]
     pub fn isotropic(alpha: T) -> Self {
-        Self { alpha: [alpha; 2] }
+        Self {
+            alpha: [alpha; 2],
+            is_round: true,
+        }
     }
-}
 
-impl<T: Element> Ggx<T> {
     /// Of the direction [`stretched`].
     #[inline(always)]
     fn length(&self, w: Vec3<T>) -> T {
-        stretched(w, self.alpha).length_squared().sqrt()
+        let across = if self.is_round {
+            self.alpha[0].squared() * (w.x.squared() + w.y.squared())
+        } else {
+            let stretched = stretched(w, self.alpha);
+            stretched.x.squared() + stretched.y.squared()
+        };
+        (across + w.z.squared()).sqrt()
+    }
+
+    /// D of the direction of `v`, given the square of its length. Walter et al. 2007, eq. 33, and its
+    /// anisotropic form, Burley 2012, eq. 13, with the divisors multiplied out. The sine comes from
+    /// v.x and v.y: for alpha = 1e-4 the whole lobe has h.z = 1 in single precision.
+    #[inline(always)]
+    fn density_along(&self, v: Vec3<T>, length_squared: T) -> T {
+        let [x, y] = self.alpha;
+        let both = x * y;
+        let (factor, divisor) = if self.is_round {
+            (both, v.x.squared() + v.y.squared() + both * v.z.squared())
+        } else {
+            // (vx / ax)^2 + (vy / ay)^2 + vz^2
+            let across = (v.x * y).squared() + (v.y * x).squared();
+            (both.squared() * both, across + (v.z * both).squared())
+        };
+        T::new(1.0 / PI) * factor * (length_squared / divisor).squared()
     }
 }
 
 impl<T: Element> Normals<T> for Ggx<T> {
-    /// Walter et al. 2007, eq. 33, and its anisotropic form, Burley 2012, eq. 13. The sine comes from
-    /// h.x and h.y: for alpha = 1e-4 the whole lobe has h.z = 1 in single precision.
     #[inline(always)]
     fn density(&self, h: Vec3<T>) -> T {
-        let [x, y] = self.alpha;
-        // (hx / ax)^2 + (hy / ay)^2 + hz^2 with the divisors multiplied out.
-        let both = x * y;
-        let length_squared = (h.x * y).squared() + (h.y * x).squared() + (h.z * both).squared();
-        let density = T::new(1.0 / PI) * both.squared() * both / length_squared.squared();
+        let density = self.density_along(h, T::new(1.0));
         T::select(h.z.gt(T::new(0.0)), density, T::new(0.0))
+    }
+
+    #[inline(always)]
+    fn density_between(&self, pair: &Pair<T>) -> T {
+        self.density_along(pair.sum, pair.length_squared)
     }
 
     /// 1 + Lambda = (w.z + length) / (2 w.z), see [`Normals::averted_area`]: with those of both directions the
@@ -86,7 +111,7 @@ impl<T: Element> Normals<T> for Ggx<T> {
     }
 
     #[inline(always)]
-    fn reflected_density(&self, wo: Vec3<T>, h: Vec3<T>, _wo_dot_h: T) -> T {
-        self.visible(wo, h) * T::new(0.25)
+    fn reflected_density(&self, pair: &Pair<T>) -> T {
+        self.density_between(pair) * T::new(0.5) / (pair.wo.z + self.length(pair.wo))
     }
 }

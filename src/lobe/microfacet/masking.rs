@@ -25,8 +25,11 @@ pub(crate) struct Pair<T> {
     pub wo: Vec3<T>,
     /// To the light.
     pub wi: Vec3<T>,
-    /// The half vector, unit.
-    pub h: Vec3<T>,
+    /// A vector along the half vector h, whose largest component is 1 in magnitude.
+    pub sum: Vec3<T>,
+    /// The length of `sum`, and its square.
+    pub length: T,
+    pub length_squared: T,
     /// <wo, h> = <wi, h>, in (0, 1].
     pub cos_half: T,
 }
@@ -41,16 +44,25 @@ impl<T: Real> Pair<T> {
         let sum = wo.plus(wi);
         let largest = sum.x.abs().max(sum.y.abs()).max(sum.z);
         let sum = sum.scaled(T::new(1.0) / largest.max(T::new(LEAST_SUM)));
-        let length = sum.length_squared().sqrt();
+        let length_squared = sum.length_squared();
+        let length = length_squared.sqrt();
         let half = largest * length * T::new(0.5);
-        let mut h = sum.scaled(T::new(1.0) / length);
-        h.z = h.z.max(T::new(LEAST_NORMAL));
         Self {
             wo,
             wi,
-            h,
+            sum,
+            length,
+            length_squared,
             cos_half: half.min(T::new(1.0)),
         }
+    }
+
+    /// The half vector, unit.
+    #[inline(always)]
+    pub fn h(&self) -> Vec3<T> {
+        let mut h = self.sum.scaled(T::new(1.0) / self.length);
+        h.z = h.z.max(T::new(LEAST_NORMAL));
+        h
     }
 
     /// With all directions turned about +Z by the angle of the given cosine and sine.
@@ -59,7 +71,7 @@ impl<T: Real> Pair<T> {
         Self {
             wo: turned(self.wo, turn),
             wi: turned(self.wi, turn),
-            h: turned(self.h, turn),
+            sum: turned(self.sum, turn),
             ..*self
         }
     }
@@ -119,7 +131,7 @@ impl Masking {
             // G = min(1, 2 (n.h)(n.v) / (v.h), 2 (n.h)(n.l) / (v.h)): Cook and Torrance 1982, eq. 5.
             Self::CookTorrance => {
                 let open = quarter / nv;
-                let grooved = T::new(0.5) * pair.h.z * (nl / nv).min(one) / vh;
+                let grooved = T::new(0.5) * pair.h().z * (nl / nv).min(one) / vh;
                 open.min(grooved).min(T::new(GREATEST))
             }
             // G = (n.l)(n.v): the lecture's G_implicit.

@@ -85,6 +85,7 @@ use super::scattering::{Compiled, Model};
 use super::values::{Bounds, Values};
 use crate::error::Error;
 use crate::film::MAX_THICKNESS_NM;
+use crate::optics::ConductorPolynomial;
 use prepared::{Mirror, Rough};
 use std::ffi::CStr;
 use std::sync::Arc;
@@ -250,6 +251,7 @@ impl Model for Microfacet {
             values.number(ALPHA),
             values.number(ANISOTROPY),
             values.number(ROTATION),
+            values.number(ANISOTROPY) == T::new(0.0) && !values.varies(ANISOTROPY),
         );
         let normals = normals(values);
         let compensation = if values.choice(ENERGY_COMPENSATION) == OFF {
@@ -291,11 +293,23 @@ fn facets<T: Precision>(values: &Values<T>) -> Result<Facets<T>, Error> {
             f0: rgb(F0),
             f90: rgb(F90),
         },
-        DIELECTRIC => Facets::Dielectric { eta: rgb(ETA) },
-        CONDUCTOR if values.choice(METAL) == CUSTOM => Facets::Conductor {
-            eta: rgb(ETA),
-            k: rgb(K),
-        },
+        DIELECTRIC => {
+            let [r, g, b] = values.rgb(ETA);
+            Facets::Dielectric {
+                eta: rgb(ETA),
+                is_gray: r == g && r == b,
+            }
+        }
+        CONDUCTOR if values.choice(METAL) == CUSTOM => {
+            let (eta, k) = (values.rgb(ETA), values.rgb(K));
+            match ConductorPolynomial::new(eta, k) {
+                Some(polynomial) => Facets::Polynomial(polynomial),
+                None => Facets::Conductor {
+                    eta: T::rgb(eta),
+                    k: T::rgb(k),
+                },
+            }
+        }
         CONDUCTOR => {
             let name = METALS[values.choice(METAL)].to_str().unwrap_or_default();
             Facets::of_metal(name)?

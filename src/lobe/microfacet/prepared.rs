@@ -1,13 +1,13 @@
 //! What the model is compiled to: a mirror or a rough surface.
 
 use super::compensation::{Compensation, Returned};
-use super::distribution::{Distribution, Normals, with_normals};
+use super::distribution::Normals;
 use super::fresnel::{Facets, Fresnel};
 use super::masking::{Masking, Pair, turned};
-use super::roughness::{Normalized, Shape};
+use super::roughness::{Family, Normalized, Shape, with_normals};
 use super::{ALPHA, ANISOTROPY, REFLECTION_LOBE, RETURNED_LOBE, ROTATION};
 use crate::lobe::kernel::{Direction, Kernel, Override};
-use crate::lobe::mixture::Surfaces;
+use crate::lobe::mixture::{SurfaceWork, Surfaces};
 use crate::lobe::power_lobe::mean;
 use crate::lobe::precision::Precision;
 use crate::lobe::scattering::{MAX_LOBES, PerLobe, Scattering, normalized};
@@ -20,6 +20,12 @@ pub(super) struct Mirror<T: Element> {
 }
 
 impl<T: Precision> Kernel<T> for Mirror<T> {
+    fn plan(&self) -> Vec<&'static str> {
+        let mut plan = vec!["perfect mirror"];
+        plan.extend(self.facets.plan());
+        plan
+    }
+
     fn lobes(
         &self,
         _overrides: &[Override<T>],
@@ -66,7 +72,7 @@ impl<T: Precision> Surfaces<T> for Rough<T> {
     #[inline(always)]
     fn surface<L: Element<Scalar = T>>(&self) -> Surface<'_, L> {
         Surface {
-            normals: &self.normals,
+            family: self.normals.family(),
             shape: self.shape.splat(),
             fresnel: self.facets.fresnel(),
             masking: self.masking,
@@ -74,11 +80,30 @@ impl<T: Precision> Surfaces<T> for Rough<T> {
             returned: None,
         }
     }
+
+    fn plan(&self) -> Vec<&'static str> {
+        let is_round = self.shape.is_round.then_some("isotropic");
+        is_round.into_iter().chain(self.facets.plan()).collect()
+    }
+
+    #[inline(always)]
+    fn with_surface<L: Element<Scalar = T>, W: SurfaceWork<L>>(&self, work: W) {
+        let surface = self.surface::<L>();
+        if !(W::IS_SHORT && surface.is_plain_ggx()) {
+            return work.run(surface);
+        }
+        match surface.fresnel {
+            Fresnel::Polynomial(metal) => {
+                work.run_swiftly(surface.plain_ggx(Fresnel::Polynomial(metal)));
+            }
+            fresnel => work.run_swiftly(surface.plain_ggx(fresnel)),
+        }
+    }
 }
 
 /// A rough surface for one call, or as many as there are lanes.
 pub(super) struct Surface<'a, T: Element> {
-    normals: &'a Normalized<T::Scalar>,
+    family: Family<'a, T::Scalar>,
     shape: Shape<T>,
     fresnel: Fresnel<'a, T>,
     masking: Masking,
@@ -87,12 +112,31 @@ pub(super) struct Surface<'a, T: Element> {
     returned: Option<Returned<'a, T>>,
 }
 
-impl<T: Element> Surface<'_, T> {
+impl<'a, T: Element> Surface<'a, T> {
+    /// Whether it is GGX's and the same all around, with Smith's masking and nothing given back.
     #[inline(always)]
-    fn distribution(&self) -> Distribution<'_, T> {
-        self.normals.distribution(&self.shape)
+    fn is_plain_ggx(&self) -> bool {
+        matches!(self.family, Family::Ggx)
+            && self.shape.is_round
+            && self.masking == Masking::Smith
+            && self.compensation.is_none()
     }
 
+    /// The same, where that is known when the code is compiled.
+    #[inline(always)]
+    fn plain_ggx(self, fresnel: Fresnel<'a, T>) -> Self {
+        Self {
+            family: Family::Ggx,
+            shape: self.shape.round(),
+            fresnel,
+            masking: Masking::Smith,
+            compensation: None,
+            returned: None,
+        }
+    }
+}
+
+impl<T: Element> Surface<'_, T> {
     /// From the shading frame into that of the long axis.
     #[inline(always)]
     fn turn_back(&self) -> [T; 2] {
@@ -124,11 +168,14 @@ impl<P: Precision, T: Element<Scalar = P>> Scattering<T> for Surface<'_, T> {
 
     #[inline(always)]
     fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
-        let pair = Pair::new(wo, wi).turned(self.turn_back());
-        let (normals, smith, density) = with_normals!(self.distribution(), |normals| (
-            normals.density(pair.h),
+        let mut pair = Pair::new(wo, wi);
+        if !self.shape.is_round {
+            pair = pair.turned(self.turn_back());
+        }
+        let (normals, smith, density) = with_normals!(self.family, self.shape, |normals| (
+            normals.density_between(&pair),
             self.masking.of_normals(&normals, &pair),
-            normals.reflected_density(pair.wo, pair.h, pair.cos_half),
+            normals.reflected_density(&pair),
         ));
         let highlight = normals * self.masking.factor(smith, self.shape.axes, &pair);
         let reflectance = self.fresnel.reflectance(pair.cos_half);
@@ -160,9 +207,15 @@ impl<P: Precision, T: Element<Scalar = P>> Scattering<T> for Surface<'_, T> {
         if lobe == RETURNED_LOBE {
             return warp::cosine_hemisphere(u[0], u[1]);
         }
-        let view = turned(wo, self.turn_back());
-        let h = with_normals!(self.distribution(), |normals| normals.sample(view, u));
-        wo.mirrored_about(turned(h, self.shape.turn))
+        let (is_round, mut view) = (self.shape.is_round, wo);
+        if !is_round {
+            view = turned(wo, self.turn_back());
+        }
+        let mut h = with_normals!(self.family, self.shape, |normals| normals.sample(view, u));
+        if !is_round {
+            h = turned(h, self.shape.turn);
+        }
+        wo.mirrored_about(h)
     }
 }
 

@@ -1,11 +1,8 @@
 //! The roughness of a surface: its distribution of normals as the parameters describe it.
 
 use super::abc::Abc;
-use super::beckmann::Beckmann;
 use super::blinn_phong::BlinnPhong;
-use super::distribution::{Distribution, with_normals};
 use super::energy::{Energy, Reflected};
-use super::ggx::Ggx;
 use super::masking::Masking;
 use super::sgd::Sgd;
 use super::{ALPHA, ANISOTROPY, ROTATION};
@@ -27,19 +24,51 @@ pub(super) enum Normalized<T> {
 }
 
 impl<T: Element<Scalar = T>> Normalized<T> {
-    /// For one call.
+    /// Which one it is.
     #[inline(always)]
-    pub fn distribution<L: Element<Scalar = T>>(&self, shape: &Shape<L>) -> Distribution<'_, L> {
-        let alpha = shape.axes;
+    pub fn family(&self) -> Family<'_, T> {
         match self {
-            Self::Ggx => Distribution::Ggx(Ggx { alpha }),
-            Self::Beckmann => Distribution::Beckmann(Beckmann { alpha }),
-            Self::BlinnPhong(normals) => Distribution::BlinnPhong(normals),
-            Self::Abc(normals) => Distribution::Abc(normals),
-            Self::Sgd(normals) => Distribution::Sgd(normals),
+            Self::Ggx => Family::Ggx,
+            Self::Beckmann => Family::Beckmann,
+            Self::BlinnPhong(normals) => Family::BlinnPhong(normals),
+            Self::Abc(normals) => Family::Abc(normals),
+            Self::Sgd(normals) => Family::Sgd(normals),
         }
     }
 }
+
+/// [`Normalized`], borrowed.
+#[derive(Clone, Copy)]
+pub(super) enum Family<'a, T> {
+    Ggx,
+    Beckmann,
+    BlinnPhong(&'a BlinnPhong<T>),
+    Abc(&'a Abc<T>),
+    Sgd(&'a Sgd<T>),
+}
+
+/// An expression in the normals of a [`Family`] and a [`Shape`]: the choice is made once per call.
+macro_rules! with_normals {
+    ($family:expr, $shape:expr, |$normals:ident| $body:expr) => {
+        match $family {
+            $crate::lobe::microfacet::roughness::Family::Ggx => {
+                let $normals = $crate::lobe::microfacet::ggx::Ggx {
+                    alpha: $shape.axes,
+                    is_round: $shape.is_round,
+                };
+                $body
+            }
+            $crate::lobe::microfacet::roughness::Family::Beckmann => {
+                let $normals = $crate::lobe::microfacet::beckmann::Beckmann { alpha: $shape.axes };
+                $body
+            }
+            $crate::lobe::microfacet::roughness::Family::BlinnPhong($normals) => $body,
+            $crate::lobe::microfacet::roughness::Family::Abc($normals) => $body,
+            $crate::lobe::microfacet::roughness::Family::Sgd($normals) => $body,
+        }
+    };
+}
+pub(super) use with_normals;
 
 impl<T: Precision> Normalized<T> {
     /// The albedo with F = 1, for one alpha or, if it varies, all of them. Not for stretched surfaces.
@@ -55,7 +84,7 @@ impl<T: Precision> Normalized<T> {
                 Self::Ggx => [azimuth, other],
                 _ => [other, azimuth],
             };
-            with_normals!(self.distribution(&shape), |normals| Reflected::by_normals(
+            with_normals!(self.family(), shape, |normals| Reflected::by_normals(
                 &normals, masking, [alpha; 2], wo, u
             ))
         };
@@ -77,6 +106,8 @@ pub(super) struct Shape<T> {
     pub axes: [T; 2],
     /// Cosine and sine of the angle from +X to the long axis.
     pub turn: [T; 2],
+    /// Whether both axes are the same for all calls; then it does not matter where they lie.
+    pub is_round: bool,
 }
 
 impl<T: Element<Scalar = T>> Shape<T> {
@@ -88,17 +119,29 @@ impl<T: Element<Scalar = T>> Shape<T> {
             anisotropy: L::splat(self.anisotropy),
             axes: [L::splat(self.axes[0]), L::splat(self.axes[1])],
             turn: [L::splat(self.turn[0]), L::splat(self.turn[1])],
+            is_round: self.is_round,
         }
     }
 }
 
 impl<T: Real> Shape<T> {
-    pub fn new(alpha: T, anisotropy: T, rotation: T) -> Self {
+    pub fn new(alpha: T, anisotropy: T, rotation: T, is_round: bool) -> Self {
         Self {
             alpha,
             anisotropy,
             axes: axes(alpha, anisotropy),
             turn: turn(rotation),
+            is_round,
+        }
+    }
+
+    /// The same where it is known to be round.
+    #[inline(always)]
+    pub fn round(self) -> Self {
+        Self {
+            axes: [self.alpha; 2],
+            is_round: true,
+            ..self
         }
     }
 
@@ -111,7 +154,11 @@ impl<T: Real> Shape<T> {
             ROTATION => self.turn = turn(value),
             _ => return,
         }
-        self.axes = axes(self.alpha, self.anisotropy);
+        self.axes = if self.is_round {
+            [self.alpha; 2]
+        } else {
+            axes(self.alpha, self.anisotropy)
+        };
     }
 }
 

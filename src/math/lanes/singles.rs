@@ -181,6 +181,10 @@ impl<S: Instructions> Element for Singles<S> {
         Self(S::f32s::simd_from(S::TOKEN, number))
     }
     #[inline(always)]
+    fn apart<R>(work: impl FnOnce() -> R) -> R {
+        S::TOKEN.vectorize(work)
+    }
+    #[inline(always)]
     fn load(numbers: &[f32]) -> Self {
         Self(S::f32s::from_slice(S::TOKEN, numbers))
     }
