@@ -116,6 +116,7 @@ unsafe fn eval_one_by_one(bsdf: &Bsdf, args: &EvalArgs, varying: &VaryingViews) 
     }
 }
 
+#[inline(never)] // the room that it needs is not to be set up for a few elements
 unsafe fn eval_by_tiles(
     bsdf: &Bsdf,
     args: &EvalArgs,
@@ -211,6 +212,7 @@ unsafe fn sample_one_by_one(bsdf: &Bsdf, args: &SampleArgs, varying: &VaryingVie
     }
 }
 
+#[inline(never)] // as for `eval_by_tiles`
 unsafe fn sample_by_tiles(
     bsdf: &Bsdf,
     args: &SampleArgs,

@@ -32,6 +32,7 @@ const NUMBER: isize = size_of::<f32>() as isize;
 
 impl ConstView {
     /// Refuses null, unless there are no elements, and offsets that overflow.
+    #[inline]
     pub(super) fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
         if self.data.is_null() && count > 0 {
             return Err(Error::invalid(format!("{name}.data is NULL")));
@@ -223,6 +224,7 @@ impl<T: Copy> View<T> {
 }
 
 /// Refuses views whose farthest component is further away than an address can say.
+#[inline]
 pub(super) fn check_reach(
     name: &str,
     components: usize,
@@ -230,6 +232,12 @@ pub(super) fn check_reach(
     element_stride: isize,
     component_stride: isize,
 ) -> Result<(), Error> {
+    // 2^32 elements 2^30 bytes apart are within reach.
+    const NEAR: usize = 1 << 30;
+    let strides = element_stride.unsigned_abs() | component_stride.unsigned_abs();
+    if count <= u32::MAX as usize && strides < NEAR {
+        return Ok(());
+    }
     let reach = |steps: usize, stride: isize| steps.checked_mul(stride.unsigned_abs());
     let farthest = reach(count.saturating_sub(1), element_stride)
         .zip(reach(components - 1, component_stride))
