@@ -45,7 +45,7 @@ std::vector<Vec3> singles(const pellicle::Film &film, const Inputs &inputs) {
 } // namespace
 
 TEST_CASE("film batch: it equals the single call bit for bit in every layout") {
-    for (const std::size_t count : {0, 1, 7, 65}) {
+    for (const std::size_t count : {0, 1, 7, 63, 64, 65, 277}) {
         CAPTURE(count);
         const Inputs inputs(count);
         const std::vector<Vec3> expected = singles(support::varying_film(), inputs);

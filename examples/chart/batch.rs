@@ -1,4 +1,4 @@
-//! ns per colour of a film's batch call, which is what the C interface's does.
+//! A film's batch call, which is what the C interface's does.
 
 #![allow(unsafe_code)]
 
@@ -9,7 +9,12 @@ use pellicle::film::Film;
 use pellicle::math::Level;
 
 /// Fills `colors` with the film's reflectance at as many points.
-pub fn evaluate(film: &Film, points: &[Point], colors: &mut [[f32; 3]]) -> Result<(), Error> {
+pub fn evaluate(
+    film: &Film,
+    level: Level,
+    points: &[Point],
+    colors: &mut [[f32; 3]],
+) -> Result<(), Error> {
     let count = points.len().min(colors.len());
     let input = |component: usize| ConstView {
         data: points.as_flattened()[component..].as_ptr(),
@@ -30,7 +35,7 @@ pub fn evaluate(film: &Film, points: &[Point], colors: &mut [[f32; 3]]) -> Resul
         },
     };
     // SAFETY: the views stand for the first `count` elements of two slices that live on.
-    unsafe { film_reflectance(film, &args, Level::chosen()) }
+    unsafe { film_reflectance(film, &args, level) }
 }
 
 #[cfg(test)]
@@ -43,12 +48,14 @@ mod tests {
         let description = stacks().unwrap()[1].description(RANGES[0], 1e-2);
         let film = Film::new(&description).unwrap();
         let points = points(RANGES[0], 9, 1);
-        let mut colors = vec![[0.0; 3]; points.len()];
-        evaluate(&film, &points, &mut colors).unwrap();
         let single: Vec<[f32; 3]> = points
             .iter()
             .map(|p| film.reflectance(p[0], p[1]))
             .collect();
-        assert_eq!(colors, single);
+        for level in Level::all() {
+            let mut colors = vec![[0.0; 3]; points.len()];
+            evaluate(&film, level, &points, &mut colors).unwrap();
+            assert_eq!(colors, single);
+        }
     }
 }

@@ -3,10 +3,11 @@
 use crate::contest::{Cell, Summary, constant, shared, summaries};
 use crate::entry::Family;
 use crate::labels::Rect;
-use crate::marker::{Area, Failure};
+use crate::marker::{Area, Failure, draw_level, level_title};
 use crate::panel::Panel;
 use crate::suite::{RANGES, Range};
-use crate::text::{INK, style};
+use crate::text::{INK, style, width};
+use pellicle::math::Level;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 
@@ -18,6 +19,7 @@ const COLUMNS: [i32; 3] = [26, 310, 720];
 const LEGEND_TOP: i32 = 92;
 const LEGEND_LINE: i32 = 21;
 
+const IN_BATCHES: &str = "in batches:";
 const TITLE: &str = "Colour of a thin film: time against error";
 const EXPLANATION: [&str; 2] = [
     "Marker: RMS error of linear RGB in [0, 1], and ns per colour on one core, one call at a time, \
@@ -96,6 +98,20 @@ fn legend(area: &Area) -> Result<(), Failure> {
         family.draw(area, at)?;
         let beside = style(FONT, INK, HPos::Left, VPos::Center);
         area.draw_text(family.title(), &beside, (at.0 + 13, at.1))?;
+    }
+    batch_legend(area)
+}
+
+/// What the levels' markers mean, in the place that families leave.
+fn batch_legend(area: &Area) -> Result<(), Failure> {
+    let mut at = (COLUMNS[2], LEGEND_TOP + LEGEND_LINE * 2);
+    let beside = style(FONT, INK, HPos::Left, VPos::Center);
+    area.draw_text(IN_BATCHES, &beside, (at.0 - 5, at.1))?;
+    at.0 += width(IN_BATCHES, FONT) + 8;
+    for level in Level::all() {
+        draw_level(area, level, Family::Planned.color(), at)?;
+        area.draw_text(level_title(level), &beside, (at.0 + 12, at.1))?;
+        at.0 += width(level_title(level), FONT) + 28;
     }
     Ok(())
 }

@@ -5,6 +5,7 @@ use crate::errors::Errors;
 use crate::suite::{Point, RANGES, Range, Stack, points};
 use crate::{parallel, timing};
 use pellicle::Error;
+use pellicle::math::Level;
 
 /// Points per stack and range that errors are counted at.
 pub const POINTS: usize = 1000;
@@ -33,8 +34,9 @@ pub struct Cell {
     pub note: Option<PlanNote>,
     /// Per colour, by single calls.
     pub ns: f64,
-    /// Per colour, by a batch call.
-    pub batch_ns: Option<f64>,
+    /// Per colour, by a batch call, at each of the processor's levels of instructions; empty: there are no
+    /// batches.
+    pub batch_ns: Vec<f64>,
     compiled: Compiled,
 }
 
@@ -96,7 +98,7 @@ fn cell(scene: &Scene, entry: Entry) -> Result<Option<Cell>, Error> {
         errors,
         note,
         ns: f64::NAN,
-        batch_ns: None,
+        batch_ns: Vec::new(),
         compiled,
     }))
 }
@@ -105,19 +107,30 @@ fn cell(scene: &Scene, entry: Entry) -> Result<Option<Cell>, Error> {
 /// machine disturbs one of them and not all.
 fn time(cells: &mut [Cell]) {
     let points = RANGES.map(|range| points(range, timing::ALL_POINTS, SEEDS[1]));
-    let mut times = vec![[Vec::new(), Vec::new()]; cells.len()];
+    let levels = Level::all();
+    let mut times = vec![(Vec::new(), vec![Vec::new(); levels.len()]); cells.len()];
     for repetition in 0..timing::REPETITIONS {
-        for (cell, [single, batch]) in cells.iter().zip(&mut times) {
+        for (cell, (single, batches)) in cells.iter().zip(&mut times) {
             let range = RANGES.iter().position(|range| *range == cell.range);
             let points = &points[range.unwrap_or(0)];
             single.push(timing::single_calls(&cell.compiled, points, repetition));
-            batch.extend(timing::batch(&cell.compiled, points, repetition));
+            let found = timing::batches(&cell.compiled, &levels, points, repetition);
+            batches
+                .iter_mut()
+                .zip(found)
+                .for_each(|(all, ns)| all.push(ns));
         }
     }
-    for (cell, [single, batch]) in cells.iter_mut().zip(times) {
+    for (cell, (single, batches)) in cells.iter_mut().zip(times) {
         cell.ns = timing::median(single);
-        cell.batch_ns = (!batch.is_empty()).then(|| timing::median(batch));
+        cell.batch_ns = medians(batches);
     }
+}
+
+/// Of each level, or none if there are no batches.
+fn medians(batches: Vec<Vec<f64>>) -> Vec<f64> {
+    let measured = batches.into_iter().filter(|times| !times.is_empty());
+    measured.map(timing::median).collect()
 }
 
 /// One entry over several cells.
@@ -128,7 +141,8 @@ pub struct Summary {
     /// The median of the cells, and the greatest.
     pub ns: f64,
     pub slowest_ns: f64,
-    pub batch_ns: Option<f64>,
+    /// The same by batch calls, as in [`Cell`].
+    pub batch_ns: Vec<f64>,
     /// One per planned film.
     pub notes: Vec<PlanNote>,
 }
@@ -138,11 +152,14 @@ pub fn summaries<'a>(cells: impl Iterator<Item = &'a Cell>) -> Vec<Summary> {
     let cells: Vec<&Cell> = cells.collect();
     let summary = |entry: Entry| {
         let mut errors = Errors::default();
-        let (mut ns, mut batch_ns, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut ns, mut notes) = (Vec::new(), Vec::new());
+        let mut batches = vec![Vec::new(); Level::all().len()];
         for cell in cells.iter().filter(|cell| cell.entry == entry) {
             errors.join(&cell.errors);
             ns.push(cell.ns);
-            batch_ns.extend(cell.batch_ns);
+            for (all, ns) in batches.iter_mut().zip(&cell.batch_ns) {
+                all.push(*ns);
+            }
             notes.extend(cell.note.clone());
         }
         (!ns.is_empty()).then(|| Summary {
@@ -150,7 +167,7 @@ pub fn summaries<'a>(cells: impl Iterator<Item = &'a Cell>) -> Vec<Summary> {
             errors,
             slowest_ns: ns.iter().copied().fold(0.0, f64::max),
             ns: timing::median(ns),
-            batch_ns: (!batch_ns.is_empty()).then(|| timing::median(batch_ns)),
+            batch_ns: medians(batches),
             notes,
         })
     };

@@ -1,6 +1,7 @@
 //! A shape and a colour for each family: the shape alone must do in grey print.
 
 use crate::entry::Family;
+use pellicle::math::Level;
 use plotters::prelude::*;
 
 /// Where everything is drawn.
@@ -56,15 +57,51 @@ impl Family {
                 area.draw(&Circle::new((x, y), r, line))
             }
             Self::Tabulated => area.draw(&Circle::new((x, y), r, color.filled())),
-            Self::Planned => fill(vec![
-                (x, y - r - 2),
-                (x + r + 2, y),
-                (x, y + r + 2),
-                (x - r - 2, y),
-            ]),
+            Self::Planned => fill(diamond((x, y), r + 2)),
             Self::Reference => fill(star(x, y)),
         }
     }
+}
+
+/// Draws the marker of a batch at a level of instructions: the wider the lanes, the smaller, so that levels
+/// that are equally fast show inside one another.
+pub fn draw_level(
+    area: &Area,
+    level: Level,
+    color: RGBColor,
+    at: (i32, i32),
+) -> Result<(), Failure> {
+    match level.name() {
+        "avx512" => area.draw(&Polygon::new(diamond(at, 3), color.filled())),
+        "avx2" => outline(area, diamond(at, 6), color),
+        _ => outline(area, diamond(at, 9), color),
+    }
+}
+
+/// How a level is written.
+pub fn level_title(level: Level) -> &'static str {
+    match level.name() {
+        "avx512" => "AVX-512",
+        "avx2" => "AVX2",
+        "sse2" => "SSE2",
+        "neon" => "NEON",
+        other => other,
+    }
+}
+
+fn outline(area: &Area, corners: Vec<(i32, i32)>, color: RGBColor) -> Result<(), Failure> {
+    let closed: Vec<_> = corners.iter().chain(&corners[..1]).copied().collect();
+    area.draw(&PathElement::new(closed, color.stroke_width(1)))
+}
+
+/// Standing on a corner, from its middle so far to each.
+fn diamond((x, y): (i32, i32), reach: i32) -> Vec<(i32, i32)> {
+    vec![
+        (x, y - reach),
+        (x + reach, y),
+        (x, y + reach),
+        (x - reach, y),
+    ]
 }
 
 /// A star with five points.

@@ -5,9 +5,10 @@ use crate::contest::Summary;
 use crate::entry::{Entry, Family};
 use crate::front::front;
 use crate::labels::{Rect, Tag, along, place};
-use crate::marker::{Area, Failure, RADIUS};
+use crate::marker::{Area, Failure, RADIUS, draw_level};
 use crate::text::{INK, style, width};
 use pellicle::film::Kind;
+use pellicle::math::Level;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 
@@ -18,7 +19,7 @@ const FLOOR: f64 = 1.5e-6;
 /// Methods slower than this, ns, lie beyond the axis with their time beside them.
 const LAST_NS: f64 = 4000.0;
 /// The quickest that the axis has room for, ns.
-const FIRST_NS: f64 = 5.0;
+const FIRST_NS: f64 = 2.0;
 
 const GRID: RGBColor = RGBColor(228, 228, 228);
 const FRONT: RGBColor = RGBColor(205, 205, 205);
@@ -51,6 +52,12 @@ impl Panel<'_> {
                 area.draw(&PathElement::new(line, color))?;
             }
         }
+        for summary in self.summaries {
+            let color = summary.entry.family().color();
+            for (level, place) in self.batches(summary) {
+                draw_level(area, level, color, place)?;
+            }
+        }
         for (summary, place) in self.summaries.iter().zip(&places) {
             summary.entry.family().draw(area, *place)?;
         }
@@ -76,6 +83,16 @@ impl Panel<'_> {
     fn place(&self, summary: &Summary) -> (i32, i32) {
         let error = summary.errors.rms().max(FLOOR);
         (self.time(summary.ns), self.error_axis().at(error))
+    }
+
+    /// Where its batches are, whose errors are the same: at every level, but for those beyond the axis.
+    fn batches(&self, summary: &Summary) -> Vec<(Level, (i32, i32))> {
+        let (_, y) = self.place(summary);
+        let all = Level::all().into_iter().zip(&summary.batch_ns);
+        let shown = all.filter(|(_, ns)| **ns <= LAST_NS);
+        shown
+            .map(|(level, ns)| (level, (self.time(*ns), y)))
+            .collect()
     }
 
     /// Where a time is, perhaps beyond the axis.
@@ -176,7 +193,12 @@ impl Panel<'_> {
         };
         let tags: Vec<Tag> = labels.iter().map(tag).collect();
         let size = 2 * RADIUS + 2;
-        let markers = places.iter().map(|p| Rect::around(*p, size, size));
+        let batches = self.summaries.iter().flat_map(|s| self.batches(s));
+        let all = places
+            .iter()
+            .copied()
+            .chain(batches.map(|(_, place)| place));
+        let markers = all.map(|p| Rect::around(p, size, size));
         let lines = self.lines(places);
         let steps = lines.iter().flat_map(|(line, _)| along(line));
         let whiskers = self.summaries.iter().flat_map(|s| self.whiskers(s));

@@ -4,14 +4,20 @@ use crate::contest::{Cell, POINTS, Summary, constant, shared, summaries};
 use crate::entry::{BASELINE, Entry, PlanNote};
 use crate::suite::{RANGES, Range};
 use crate::timing::REPETITIONS;
+use pellicle::math::Level;
 use pellicle::optics::TOLERANCE as REFERENCE;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// One row per method, setting, stack and range.
 pub fn csv(cells: &[Cell]) -> String {
-    let mut out = String::from(
-        "method,setting,stack,thickness_min_nm,thickness_max_nm,points,ns,batch_ns,rms,max,\
+    let levels = Level::all();
+    let names: String = levels
+        .iter()
+        .map(|l| format!("batch_{}_ns,", l.name()))
+        .collect();
+    let mut out = format!(
+        "method,setting,stack,thickness_min_nm,thickness_max_nm,points,ns,{names}rms,max,\
          delta_e_2000_mean,delta_e_2000_95,plan,plan_max,bytes,compile_ms\n",
     );
     for cell in cells {
@@ -24,7 +30,7 @@ pub fn csv(cells: &[Cell]) -> String {
             max.to_string(),
             POINTS.to_string(),
             format!("{:.1}", cell.ns),
-            cell.batch_ns.map_or(String::new(), |ns| format!("{ns:.1}")),
+            batches(&levels, &cell.batch_ns, |ns| format!("{ns:.1}")).join(","),
             format!("{:.3e}", errors.rms()),
             format!("{:.3e}", errors.max()),
             format!("{:.4}", errors.mean_delta_e()),
@@ -41,6 +47,12 @@ pub fn csv(cells: &[Cell]) -> String {
         writeln!(out, "{},{}", row.join(","), plan.join(",")).unwrap();
     }
     out
+}
+
+/// One text per level, empty where there are no batches.
+fn batches(levels: &[Level], ns: &[f64], written: impl Fn(f64) -> String) -> Vec<String> {
+    let text = |level: usize| ns.get(level).map_or(String::new(), |ns| written(*ns));
+    (0..levels.len()).map(text).collect()
 }
 
 /// docs/chart.md.
@@ -60,7 +72,7 @@ pub fn markdown(cells: &[Cell]) -> String {
            for linear sRGB. The truth is the converged reference, whose own error is 0 by definition.\n\
          - ns: per colour on one core, called singly at random points; the median of {REPETITIONS} repetitions, then\n  \
            of the stacks. Ratio: to three tabulated harmonics. Slowest: the slowest stack. Batch: through\n  \
-           one batch call. Bytes: the largest film's tables.\n\
+           one batch call, at each level of the processor's instructions. Bytes: the largest film's tables.\n\
          - Methods: described in `src/film`. `two_beam` is the interference of Granier & Heidrich 2002 with\n  \
            exact Fresnel amplitudes at both interfaces, `harmonics` are Belcour & Barla 2017. These and\n  \
            `airy_rgb` know the indices at three wavelengths only: where a base has dispersion, more\n  \
@@ -90,9 +102,15 @@ pub fn markdown(cells: &[Cell]) -> String {
 
 fn table(summaries: &[Summary]) -> String {
     let baseline = summaries.iter().find(|s| s.entry == BASELINE);
-    let mut out = String::from(
-        "| method | setting | ns | ratio | slowest | batch | RMS | max | mean dE | 95 % dE | plan | bytes |\n\
-         |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---|---:|\n",
+    let levels = Level::all();
+    let names: String = levels
+        .iter()
+        .map(|l| format!(" batch, {} |", l.name()))
+        .collect();
+    let mut out = format!(
+        "| method | setting | ns | ratio | slowest |{names} RMS | max | mean dE | 95 % dE | plan | bytes |\n\
+         |---|---|---:|---:|---:|{}---:|---:|---:|---:|---|---:|\n",
+        "---:|".repeat(levels.len())
     );
     for summary in summaries {
         let errors = &summary.errors;
@@ -105,7 +123,7 @@ fn table(summaries: &[Summary]) -> String {
             summary.entry.setting(),
             rounded(summary.ns),
             rounded(summary.slowest_ns),
-            summary.batch_ns.map_or(String::new(), rounded),
+            batches(&levels, &summary.batch_ns, rounded).join(" | "),
             errors.rms(),
             errors.max(),
             errors.mean_delta_e(),

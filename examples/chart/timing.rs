@@ -3,6 +3,7 @@
 use crate::batch;
 use crate::entry::Compiled;
 use crate::suite::Point;
+use pellicle::math::Level;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -40,17 +41,24 @@ pub fn single_calls(compiled: &Compiled, points: &[Point], repetition: usize) ->
     }
 }
 
-/// The same for a batch call; none for what has no batches.
-pub fn batch(compiled: &Compiled, points: &[Point], repetition: usize) -> Option<f64> {
+/// The same for a batch call at each level of instructions; none for what has no batches.
+pub fn batches(
+    compiled: &Compiled,
+    levels: &[Level],
+    points: &[Point],
+    repetition: usize,
+) -> Vec<f64> {
     let Compiled::Film(film) = compiled else {
-        return None;
+        return Vec::new();
     };
     let mut colors = vec![[0.0; 3]; POINTS];
-    let time = measured(points, repetition, |points| {
-        batch::evaluate(film, points, &mut colors).expect("views of slices");
-        black_box(&colors);
-    });
-    Some(time)
+    let time = |level: &Level| {
+        measured(points, repetition, |points| {
+            batch::evaluate(film, *level, points, &mut colors).expect("views of slices");
+            black_box(&colors);
+        })
+    };
+    levels.iter().map(time).collect()
 }
 
 /// ns per point of work on a repetition's points, or on a few of them if it is slow.

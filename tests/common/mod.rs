@@ -48,7 +48,7 @@ pub fn uniforms(rng: &mut impl Rng) -> [f32; 3] {
 
 /// A number in [min, max]: half of the time spread evenly, half by its logarithm, so that wide
 /// ranges are seen at every scale, and so is what lies next to 0; now and then an end itself.
-fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
+pub fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
     match rng.random_range(0..16) {
         0 => min,
         1 => max,
