@@ -124,8 +124,8 @@ unsafe fn eval_by_tiles(
     is_direct: bool,
     level: Level,
 ) {
-    let (mut wo, mut wi) = ([Column::<f32>::ZERO; 3], [Column::<f32>::ZERO; 3]);
-    let (mut value, mut pdf) = ([Column::<f32>::ZERO; 3], [Column::<f32>::ZERO]);
+    let (mut wo, mut wi) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
+    let (mut value, mut pdf) = ([Column::EMPTY; 3], [Column::EMPTY]);
     with_room(varying.floats(), |numbers| {
         for chunk in Chunk::all(args.count, is_direct) {
             // SAFETY: as in `eval`; the slices are apart, or copies.
@@ -220,10 +220,10 @@ unsafe fn sample_by_tiles(
     is_direct: bool,
     level: Level,
 ) {
-    let (mut wo, mut u) = ([Column::<f32>::ZERO; 3], [Column::<f32>::ZERO; 3]);
-    let (mut wi, mut weight) = ([Column::<f32>::ZERO; 3], [Column::<f32>::ZERO; 3]);
-    let (mut pdf, mut eta) = ([Column::<f32>::ZERO], [Column::<f32>::ZERO]);
-    let (mut flags, mut lobe) = ([Column::<u32>::ZERO], [Column::<u32>::ZERO]);
+    let (mut wo, mut u) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
+    let (mut wi, mut weight) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
+    let (mut pdf, mut eta) = ([Column::EMPTY], [Column::EMPTY]);
+    let (mut flags, mut lobe) = ([Column::EMPTY], [Column::EMPTY]);
     with_room(varying.floats(), |numbers| {
         for chunk in Chunk::all(args.count, is_direct) {
             // SAFETY: as in `sample`; the slices are apart, or copies.

@@ -2,21 +2,44 @@
 
 use super::view::{ConstView, View};
 use crate::lobe::LANES;
+use std::mem::MaybeUninit;
 
 /// The most elements that are worked on at once: their numbers stay in the nearest cache.
 pub(super) const CHUNK: usize = 256;
 
-/// Room for the copies of one component.
+/// Room for the copies of one component. Setting it up costs nothing: a batch of a few elements uses little
+/// of it, or none.
 #[derive(Clone, Copy)]
 #[repr(C, align(64))]
-pub(super) struct Column<T>(pub [T; CHUNK]);
+pub(super) struct Column<T: Number>(MaybeUninit<[T; CHUNK]>);
 
-impl Column<f32> {
-    pub const ZERO: Self = Self([0.0; CHUNK]);
-}
+/// Numbers of which all bits may be 0.
+pub(super) trait Number: Copy {}
+impl Number for f32 {}
+impl Number for u32 {}
 
-impl Column<u32> {
-    pub const ZERO: Self = Self([0; CHUNK]);
+impl<T: Number> Column<T> {
+    pub const EMPTY: Self = Self(MaybeUninit::uninit());
+
+    /// The first so many numbers, all 0.
+    fn zeros(&mut self, count: usize) -> &mut [T] {
+        assert!(count <= CHUNK, "{count} of {CHUNK}");
+        let first = self.0.as_mut_ptr().cast::<T>();
+        // SAFETY: there are so many, and 0 is a number.
+        unsafe {
+            first.write_bytes(0, count);
+            std::slice::from_raw_parts_mut(first, count)
+        }
+    }
+
+    /// The first so many numbers.
+    ///
+    /// # Safety
+    /// They must have been written since [`Column::EMPTY`].
+    unsafe fn numbers(&self, count: usize) -> &[T] {
+        // SAFETY: the caller vouches for it.
+        unsafe { std::slice::from_raw_parts(self.0.as_ptr().cast::<T>(), count) }
+    }
 }
 
 /// Elements of a batch: `count` of them from `first` on, and whether views may be used where they lie.
@@ -72,20 +95,17 @@ impl Chunk {
                     std::slice::from_raw_parts(view.address(self.first, c), self.count)
                 });
             }
-            view.load(self.first, self.count, room);
+            let mut numbers = room.each_mut().map(|column| column.zeros(self.padded()));
+            view.load(self.first, self.count, &mut numbers);
+            numbers.map(|numbers| &*numbers)
         }
-        let padded = self.padded();
-        room.each_mut().map(|column| {
-            column.0[self.count..padded].fill(0.0);
-            &column.0[..padded]
-        })
     }
 
     /// Slices to write a view's elements to; [`Chunk::write`] brings them there.
     ///
     /// # Safety
     /// All must be writable, and apart from all else if [`is_apart`] said so.
-    pub unsafe fn target<'a, T: Copy, const N: usize>(
+    pub unsafe fn target<'a, T: Number, const N: usize>(
         &self,
         view: &View<T>,
         room: &'a mut [Column<T>; N],
@@ -96,24 +116,22 @@ impl Chunk {
                 std::slice::from_raw_parts_mut(view.address(self.first, c), self.count)
             });
         }
-        let padded = self.padded();
-        room.each_mut().map(|column| &mut column.0[..padded])
+        room.each_mut().map(|column| column.zeros(self.padded()))
     }
 
     /// Writes what [`Chunk::target`] had to copy.
     ///
     /// # Safety
-    /// All must be writable.
-    pub unsafe fn write<T: Copy, const N: usize>(&self, view: &View<T>, room: &[Column<T>; N]) {
+    /// All must be writable, and [`Chunk::target`] must have been called.
+    pub unsafe fn write<T: Number, const N: usize>(&self, view: &View<T>, room: &[Column<T>; N]) {
         if view.data.is_null() || self.is_direct && view.is_contiguous(N) {
             return;
         }
-        // SAFETY: the caller vouches for it.
+        // SAFETY: the caller vouches for it; the target was set to 0.
         unsafe {
             view.store(
                 self.first,
-                self.count,
-                room.each_ref().map(|column| &column.0),
+                room.each_ref().map(|column| column.numbers(self.count)),
             )
         }
     }

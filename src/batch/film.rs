@@ -58,8 +58,8 @@ unsafe fn by_tiles(film: &Film, args: &FilmArgs, thickness_nm: &ConstView, level
     let count = args.count;
     let inputs = [args.cos_theta.span(1, count), thickness_nm.span(1, count)];
     let outputs = [args.reflectance.target(3, count)];
-    let [mut cosines, mut thicknesses] = [[Column::<f32>::ZERO]; 2];
-    let mut room = [Column::<f32>::ZERO; 3];
+    let [mut cosines, mut thicknesses] = [[Column::EMPTY]; 2];
+    let mut room = [Column::EMPTY; 3];
     for chunk in Chunk::all(count, is_apart(&inputs, &outputs)) {
         // SAFETY: as in `film_reflectance`; the slices are apart, or copies.
         unsafe {

@@ -138,8 +138,8 @@ pub(super) fn with_room(floats: usize, f: impl FnOnce(&mut [Column<f32>])) {
     const SOME: usize = 12;
     match floats {
         0 => f(&mut []),
-        1..=FEW => f(&mut [Column::<f32>::ZERO; FEW][..floats]),
-        5..=SOME => f(&mut [Column::<f32>::ZERO; SOME][..floats]),
-        _ => f(&mut [Column::<f32>::ZERO; MAX_FLOATS][..floats]),
+        1..=FEW => f(&mut [Column::EMPTY; FEW][..floats]),
+        5..=SOME => f(&mut [Column::EMPTY; SOME][..floats]),
+        _ => f(&mut [Column::EMPTY; MAX_FLOATS][..floats]),
     }
 }

@@ -1,6 +1,6 @@
 //! Strided arrays, and the checks that come before any address is used.
 
-use super::column::{CHUNK, Column, Span};
+use super::column::{CHUNK, Span};
 use crate::error::Error;
 
 /// A strided array to read: component c of element i is `i * element_stride + c * component_stride`
@@ -78,7 +78,7 @@ impl ConstView {
     }
 
     /// So many elements from the first on, by component.
-    pub(super) unsafe fn load(&self, first: usize, count: usize, room: &mut [Column<f32>]) {
+    pub(super) unsafe fn load(&self, first: usize, count: usize, room: &mut [&mut [f32]]) {
         // SAFETY: the caller of the batch vouches for all addresses; check for the offsets.
         unsafe {
             // Strides that the compiler knows make the loops fast.
@@ -88,13 +88,13 @@ impl ConstView {
             {
                 let data = self.address(first, 0).cast::<[f32; 3]>();
                 for i in 0..count {
-                    [x.0[i], y.0[i], z.0[i]] = data.add(i).read_unaligned();
+                    [x[i], y[i], z[i]] = data.add(i).read_unaligned();
                 }
                 return;
             }
             for (c, column) in room.iter_mut().enumerate() {
                 let data = self.address(first, c);
-                let numbers = &mut column.0[..count];
+                let numbers = &mut column[..count];
                 match self.element_stride {
                     NUMBER => gather(data, NUMBER, numbers),
                     0 => numbers.fill(data.read_unaligned()),
@@ -189,14 +189,10 @@ impl<T: Copy> View<T> {
         }
     }
 
-    /// Writes so many elements from the first on, given by component.
-    pub(super) unsafe fn store<const N: usize>(
-        &self,
-        first: usize,
-        count: usize,
-        columns: [&[T; CHUNK]; N],
-    ) {
+    /// Writes elements from the first on, given by component.
+    pub(super) unsafe fn store<const N: usize>(&self, first: usize, columns: [&[T]; N]) {
         let number = size_of::<T>() as isize;
+        let count = columns[0].len();
         // SAFETY: the caller of the batch vouches for all addresses; check for the offsets.
         unsafe {
             if N > 1
@@ -214,9 +210,9 @@ impl<T: Copy> View<T> {
             for (c, column) in columns.into_iter().enumerate() {
                 let data = self.address(first, c);
                 if self.element_stride == number {
-                    scatter(data, number, &column[..count]);
+                    scatter(data, number, column);
                 } else {
-                    scatter(data, self.element_stride, &column[..count]);
+                    scatter(data, self.element_stride, column);
                 }
             }
         }
