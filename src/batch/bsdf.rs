@@ -9,7 +9,7 @@ use crate::math::Level;
 use std::mem::MaybeUninit;
 
 /// Fewer elements are faster one by one.
-pub(super) const LEAST_TILE: usize = 4;
+pub(super) const LEAST_TILE: usize = 8;
 
 /// Arguments of [`eval`].
 #[derive(Clone, Copy, Debug)]

@@ -99,9 +99,11 @@ pub fn of_variant(variant: &str) -> Bounds {
             direction: 1e-3,
             ..plain
         },
-        // Where f0 is 1 nothing is left for the diffuse part but the rounding of 1 - E.
+        // Where f0 is 1 nothing is left for the diffuse part but the rounding of 1 - E. Its lobe's share is
+        // known no better: E is a sum of nine products, 5e-7 off, and so is 1 / pi of it in the density.
         "metallic_roughness" => Bounds {
             value: 1e-2,
+            pdf: 3e-4,
             weight: 1e-2,
             direction: 1e-3,
             ..plain
