@@ -87,6 +87,8 @@ impl ConstView {
                 && self.component_stride == NUMBER
             {
                 let data = self.address(first, 0).cast::<[f32; 3]>();
+                // Lengths that the compiler knows to be equal spare it a check for each number.
+                let (x, y, z) = (&mut x[..count], &mut y[..count], &mut z[..count]);
                 for i in 0..count {
                     [x[i], y[i], z[i]] = data.add(i).read_unaligned();
                 }
@@ -193,6 +195,7 @@ impl<T: Copy> View<T> {
     pub(super) unsafe fn store<const N: usize>(&self, first: usize, columns: [&[T]; N]) {
         let number = size_of::<T>() as isize;
         let count = columns[0].len();
+        let columns = columns.map(|column| &column[..count]);
         // SAFETY: the caller of the batch vouches for all addresses; check for the offsets.
         unsafe {
             if N > 1
