@@ -12,6 +12,15 @@ endif()
 cmake_path(ABSOLUTE_PATH pellicle_default_target_dir BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" NORMALIZE)
 set(PELLICLE_CARGO_TARGET_DIR "${pellicle_default_target_dir}" CACHE PATH "Where cargo builds")
 
+# A sanitizer instruments what is built for a target that is named, and leaves build scripts alone.
+set(PELLICLE_CARGO_TARGET "" CACHE STRING "Target triple that cargo builds for; empty: the host's, not named")
+set(pellicle_cargo_output "${PELLICLE_CARGO_TARGET_DIR}/release")
+set(pellicle_cargo_target_option "")
+if(PELLICLE_CARGO_TARGET)
+    set(pellicle_cargo_output "${PELLICLE_CARGO_TARGET_DIR}/${PELLICLE_CARGO_TARGET}/release")
+    set(pellicle_cargo_target_option --target "${PELLICLE_CARGO_TARGET}")
+endif()
+
 # The shared library is copied to its run-time name: the dynamic linker asks for the SONAME, which
 # changes only with the ABI (PELLICLE_ABI_VERSION; build.rs sets the same name).
 set(pellicle_soname libpellicle.so.1)
@@ -29,11 +38,12 @@ set(pellicle_static_dependencies gcc_s util rt pthread m dl c)
 file(MAKE_DIRECTORY "${pellicle_library_dir}")
 add_custom_target(pellicle_cargo ALL
     COMMAND "${PELLICLE_CARGO}" build --release --locked --target-dir "${PELLICLE_CARGO_TARGET_DIR}"
+        ${pellicle_cargo_target_option}
     COMMAND "${CMAKE_COMMAND}" -E copy_if_different
-        "${PELLICLE_CARGO_TARGET_DIR}/release/libpellicle.so" "${pellicle_shared_library}"
+        "${pellicle_cargo_output}/libpellicle.so" "${pellicle_shared_library}"
     COMMAND "${CMAKE_COMMAND}" -E create_symlink ${pellicle_soname} "${pellicle_shared_link}"
     COMMAND "${CMAKE_COMMAND}" -E copy_if_different
-        "${PELLICLE_CARGO_TARGET_DIR}/release/libpellicle.a" "${pellicle_static_library}"
+        "${pellicle_cargo_output}/libpellicle.a" "${pellicle_static_library}"
     BYPRODUCTS "${pellicle_shared_library}" "${pellicle_shared_link}" "${pellicle_static_library}"
     WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
     COMMENT "cargo build --release --locked"

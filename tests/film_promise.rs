@@ -1,5 +1,5 @@
 //! A film's tolerance is a promise: its error against the reference stays within. 50 random stacks
-//! here; `./x check` tries 1,000, and asks that few films fall back to the reference.
+//! here; `./x check promise` tries 1,000, and asks that few films fall back to the reference.
 
 #[path = "common/promise/mod.rs"]
 mod promise;

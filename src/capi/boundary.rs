@@ -16,6 +16,8 @@ use std::sync::Once;
 /// Runs an entry point. A failure is reported by status and message; so is a panic, which ends here.
 #[inline(always)]
 pub(super) fn guard(body: impl FnOnce() -> Result<(), Error>) -> PellicleStatus {
+    #[cfg(test)]
+    let body = super::faults::injected(body);
     // Nothing shared is left half-changed by a panic: handles are immutable, and outputs are
     // written after everything that can fail.
     match panic::catch_unwind(AssertUnwindSafe(body)) {

@@ -9,6 +9,8 @@ mod args;
 mod batch;
 mod boundary;
 mod bsdf;
+#[cfg(test)]
+mod faults;
 mod film;
 mod film_description;
 mod last_error;

@@ -42,7 +42,7 @@ pub(super) fn converged(
         .chain(points(description, POINTS))
         .collect();
     let mut nodes = LEAST_NODES;
-    let mut coarse = Series::new(description, nodes)?;
+    let coarse = Series::new(description, nodes)?;
     let mut values = evaluated(&coarse, &points);
     let mut best: Option<(Series, f64)> = None;
     while best.as_ref().is_none_or(|(_, max)| *max > tolerance) && nodes < MOST_NODES {
@@ -50,9 +50,9 @@ pub(super) fn converged(
         let fine = Series::new(description, nodes)?;
         let found = evaluated(&fine, &points);
         let error = greatest(description, &values, &found) / FASTER;
-        (coarse, values) = (fine, found);
+        values = found;
         if best.as_ref().is_none_or(|(_, max)| error < *max) {
-            best = Some((coarse.clone(), error));
+            best = Some((fine, error));
         }
     }
     let (series, mut error) = best.unwrap_or((coarse, f64::INFINITY));

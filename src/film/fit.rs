@@ -65,7 +65,8 @@ pub(super) fn curve(
     let mut count = bounded(estimate, limits.size);
     for _ in 0..ATTEMPTS {
         let at = |i: f64| axes.point(i / (count - 1) as f64, 0.0).0;
-        let values: Vec<_> = (0..count).map(|i| source(at(i as f64), 0.0)).collect();
+        let mut values = reserve(count)?;
+        values.extend((0..count).map(|i| source(at(i as f64), 0.0)));
         let table = Curve::new(&axes, &values)?;
         let errors = errors::of_curve(source, &table, limits, at);
         if errors.max <= FOUND * limits.tolerance {

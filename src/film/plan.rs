@@ -179,11 +179,15 @@ impl Workshop<'_> {
         let fitted = Sheets::fit(self.description, &self.series, self.limits)?;
         Ok(fitted.map(|(sheets, errors)| {
             let (bytes, size) = (sheets.bytes(), sheets.size());
-            let simple = sheets.simple().filter(|_| !self.description.transmittance);
-            let compiled = match simple {
-                Some(Sheet::Table(table)) => Compiled::Table(table.clone()),
-                Some(Sheet::Curve(curve)) => Compiled::Curve(curve.clone()),
-                None => Compiled::Other(Box::new(sheets)),
+            let sheets = Box::new(sheets);
+            let compiled = if self.description.transmittance {
+                Compiled::Other(sheets)
+            } else {
+                match sheets.into_simple() {
+                    Ok(Sheet::Table(table)) => Compiled::Table(table),
+                    Ok(Sheet::Curve(curve)) => Compiled::Curve(curve),
+                    Err(sheets) => Compiled::Other(sheets),
+                }
             };
             Attempt {
                 compiled,

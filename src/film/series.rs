@@ -93,8 +93,9 @@ impl Series {
             .chain(layers.iter().map(|layer| &layer.medium))
             .chain(std::iter::once(&description.base))
             .collect();
-        let mut indices = Vec::new();
-        let nodes = rule.chunks(Doubles::COUNT).map(|rule| {
+        let parts = rule.len().div_ceil(Doubles::COUNT);
+        let mut indices = Error::reserve(parts * media.len(), "a film's series")?;
+        let filled = rule.chunks(Doubles::COUNT).map(|rule| {
             let at = |i: usize| rule[i.min(rule.len() - 1)];
             for medium in &media {
                 let index: [_; Doubles::COUNT] =
@@ -110,7 +111,8 @@ impl Series {
                 weights: std::array::from_fn(|c| Doubles::from_fn(|i| weight(c, i))),
             }
         });
-        let nodes: Vec<_> = nodes.collect();
+        let mut nodes = Error::reserve(parts, "a film's series")?;
+        nodes.extend(filled);
         let thickest = || {
             (0..ranges.len()).max_by(|&a, &b| {
                 let path = |i: usize| ranges[i][1] * indices[i + 1].re.to_array()[0];

@@ -209,9 +209,14 @@ impl Sheets {
         Ok(Some((sheets, errors)))
     }
 
-    /// The table of the reflectance from the ambient's side alone, if that is over its own cosine.
-    pub(super) fn simple(&self) -> Option<&Sheet> {
-        (self.rarer == Side::Ambient).then_some(&self.front)
+    /// The table of the reflectance from the ambient's side alone, if that is over its own cosine. It is
+    /// not copied, as there may be no room for a second one.
+    pub(super) fn into_simple(self: Box<Self>) -> Result<Sheet, Box<Self>> {
+        if self.rarer == Side::Ambient {
+            Ok(self.front)
+        } else {
+            Err(self)
+        }
     }
 
     pub(super) fn bytes(&self) -> usize {

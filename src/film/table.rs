@@ -38,7 +38,7 @@ impl Curve {
     /// Through values at equal steps of the first coordinate, at least
     /// [`LEAST_VALUES`](crate::math::spline::LEAST_VALUES).
     pub(super) fn new(axes: &Axes, values: &[Rgb<f64>]) -> Result<Self, Error> {
-        let mut fitted = Vec::new();
+        let mut fitted = reserve(values.len() + 2)?;
         controls(values, &mut fitted);
         let mut points = reserve(fitted.len())?;
         points.extend(fitted.into_iter().map(packed));

@@ -10,6 +10,7 @@ use pellicle::lobe::{Entry, Exception, Flags, ParamKind, Values};
 use pellicle::{Bsdf, Description, Scalar, Status};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use std::ffi::CStr;
 
 pub fn rng(seed: u64) -> Pcg64Mcg {
     Pcg64Mcg::seed_from_u64(seed)
@@ -204,6 +205,15 @@ impl Drawn {
             entry,
             description,
             choices,
+        }
+    }
+
+    /// What is chosen for the parameter of that name.
+    pub fn choice(&self, name: &str) -> &'static CStr {
+        let index = self.entry.info.param(name).unwrap();
+        match self.entry.info.params[index].kind {
+            ParamKind::Choice { choices } => choices[self.choices[index]],
+            _ => panic!("{name} is no choice"),
         }
     }
 

@@ -1,6 +1,6 @@
 //! The promise that a film's error stays within its tolerance, checked on random stacks at random
 //! points. Shared by the test of 50 stacks (tests/film_promise.rs) and the long run of 1,000
-//! (examples/promise, `./x check`).
+//! (examples/promise, `./x check promise`).
 
 #![allow(dead_code)] // each program uses a part
 

@@ -1,0 +1,17 @@
+# Every fuzzer for a bounded time, from the kept corpus on: [--seconds N, 60] [fuzzer ...]. What it finds
+# beyond is kept in fuzz/corpus, a failure in fuzz/artifacts.
+seconds=60
+if [[ "${1:-}" == --seconds ]]; then
+    seconds=${2:?"--seconds needs a number"}
+    shift 2
+fi
+if (($# == 0)); then set -- batch create_bsdf create_film evaluate; fi
+need_nightly
+need_tool c++ g++
+command -v cargo-fuzz >/dev/null || step cargo install --locked cargo-fuzz
+command -v cargo-fuzz >/dev/null || die 1 "cargo-fuzz is missing and could not be installed: nothing was checked"
+for target in "$@"; do
+    mkdir -p "fuzz/corpus/$target"
+    step cargo +nightly fuzz run "$target" "fuzz/corpus/$target" "tests/data/corpus/$target" -- \
+        -max_total_time="$seconds" -timeout=60 -max_len=2048 -print_final_stats=1
+done

@@ -1,0 +1,9 @@
+#![no_main]
+
+#[allow(dead_code)] // tests use more of it
+#[path = "../../tests/common/mod.rs"]
+mod common;
+#[path = "../../tests/common/contract/mod.rs"]
+mod contract;
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| contract::run("create_bsdf", data));

@@ -1,0 +1,293 @@
+//! A panic injected in each entry point: it becomes INTERNAL, and leaves outputs, the process and every
+//! handle as they were.
+//!
+//! The hook is compiled for unit tests alone, so that no library that is shipped holds it.
+
+use super::*;
+use crate::bsdf::{Bsdf, Description};
+use crate::film::{Film, FilmDescription};
+use crate::optics::Medium;
+use std::cell::Cell;
+use std::collections::BTreeSet;
+use std::ffi::{CStr, c_char};
+use std::ptr::{null, null_mut};
+use std::sync::Arc;
+
+thread_local! {
+    static IS_ARMED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// What `guard` runs instead of the body of an entry point: the same, unless a test has asked for a panic.
+pub(super) fn injected<R>(body: impl FnOnce() -> R) -> impl FnOnce() -> R {
+    || {
+        assert!(!IS_ARMED.take(), "injected panic");
+        body()
+    }
+}
+
+/// Runs a call whose entry point panics.
+fn with_panic<R>(call: impl FnOnce() -> R) -> R {
+    IS_ARMED.set(true);
+    let result = call();
+    assert!(!IS_ARMED.take(), "the call passed no guard");
+    result
+}
+
+/// Functions that do nothing that could fail.
+const INFALLIBLE: [&str; 6] = [
+    "pellicle_abi_version",
+    "pellicle_version_string",
+    "pellicle_status_string",
+    "pellicle_last_error",
+    "pellicle_model_count",
+    "pellicle_get_api",
+];
+
+const PATTERN: f32 = -77.0;
+const UP: [f32; 3] = [0.0, 0.0, 1.0];
+
+/// What the calls are made with.
+struct Handles {
+    bsdf: *mut PellicleBsdf,
+    film: *mut PellicleFilm,
+}
+
+impl Handles {
+    fn new() -> Self {
+        let bsdf = Bsdf::<f32>::new(&Description::new("lambert")).unwrap();
+        let glass = Medium::rgb([1.5; 3], [0.0; 3]).unwrap();
+        let description = FilmDescription {
+            transmittance: true,
+            ..FilmDescription::new(glass)
+        };
+        let film = Film::new(&description).unwrap();
+        Self {
+            bsdf: Arc::into_raw(Arc::new(bsdf)).cast_mut().cast(),
+            film: Arc::into_raw(Arc::new(film)).cast_mut().cast(),
+        }
+    }
+}
+
+/// Every number that a call may write, with a pattern that none does.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Outputs {
+    numbers: [f32; 16],
+    bsdf: *mut PellicleBsdf,
+    film: *mut PellicleFilm,
+    /// Room for the greatest struct.
+    bytes: [u8; 256],
+}
+
+impl Outputs {
+    fn new() -> Self {
+        Self {
+            numbers: [PATTERN; 16],
+            bsdf: null_mut(),
+            film: null_mut(),
+            bytes: [0x5A; 256],
+        }
+    }
+}
+
+/// A valid call of one entry point.
+type Call = fn(&Handles, &mut Outputs) -> PellicleStatus;
+
+fn const_view(data: &[f32]) -> PellicleConstView {
+    PellicleConstView {
+        data: data.as_ptr(),
+        element_stride: 0,
+        component_stride: 4,
+    }
+}
+
+fn view(data: *mut f32) -> PellicleView {
+    PellicleView {
+        data,
+        element_stride: 12,
+        component_stride: 4,
+    }
+}
+
+/// The calls, by name.
+fn calls() -> Vec<(&'static str, Call)> {
+    // SAFETY, of all: live handles; outputs and arrays as long as stated; 0 is valid for what is zeroed.
+    vec![
+        ("pellicle_model_info", |_, out| unsafe {
+            pellicle_model_info(
+                0,
+                out.bytes.as_mut_ptr().cast(),
+                size_of::<PellicleModelInfo>(),
+            )
+        }),
+        ("pellicle_model_param", |_, out| unsafe {
+            pellicle_model_param(
+                0,
+                0,
+                out.bytes.as_mut_ptr().cast(),
+                size_of::<PellicleModelParam>(),
+            )
+        }),
+        ("pellicle_bsdf_create", |_, out| unsafe {
+            let mut desc: PellicleBsdfDesc = std::mem::zeroed();
+            desc.model = c"phong".as_ptr();
+            pellicle_bsdf_create(&desc, size_of_val(&desc), &mut out.bsdf)
+        }),
+        ("pellicle_bsdf_retain", |handles, _| unsafe {
+            pellicle_bsdf_retain(handles.bsdf)
+        }),
+        ("pellicle_bsdf_info", |handles, out| unsafe {
+            let info = out.bytes.as_mut_ptr().cast();
+            pellicle_bsdf_info(handles.bsdf, info, size_of::<PellicleBsdfInfo>())
+        }),
+        ("pellicle_bsdf_eval", |handles, out| unsafe {
+            let [value, pdf] = [0, 3].map(|at| out.numbers.as_mut_ptr().add(at));
+            pellicle_bsdf_eval(handles.bsdf, UP.as_ptr(), UP.as_ptr(), null(), value, pdf)
+        }),
+        ("pellicle_bsdf_sample", |handles, out| unsafe {
+            let sample = out.numbers.as_mut_ptr().cast();
+            let size = size_of::<PellicleSample>();
+            pellicle_bsdf_sample(
+                handles.bsdf,
+                UP.as_ptr(),
+                [0.5; 3].as_ptr(),
+                null(),
+                sample,
+                size,
+            )
+        }),
+        ("pellicle_bsdf_albedo", |handles, out| unsafe {
+            pellicle_bsdf_albedo(handles.bsdf, UP.as_ptr(), null(), out.numbers.as_mut_ptr())
+        }),
+        ("pellicle_bsdf_eval_batch", |handles, out| unsafe {
+            let mut args: PellicleEvalBatchArgs = std::mem::zeroed();
+            args.count = 5;
+            [args.wo, args.wi] = [const_view(&UP); 2];
+            args.value = view(out.numbers.as_mut_ptr());
+            pellicle_bsdf_eval_batch(handles.bsdf, &args, size_of_val(&args))
+        }),
+        ("pellicle_bsdf_sample_batch", |handles, out| unsafe {
+            let mut args: PellicleSampleBatchArgs = std::mem::zeroed();
+            args.count = 5;
+            args.wo = const_view(&UP);
+            args.u = const_view(&[0.5; 3]);
+            args.weight = view(out.numbers.as_mut_ptr());
+            pellicle_bsdf_sample_batch(handles.bsdf, &args, size_of_val(&args))
+        }),
+        ("pellicle_film_create", |_, out| unsafe {
+            let mut desc: PellicleFilmDesc = std::mem::zeroed();
+            desc.base.eta = [1.5; 3];
+            pellicle_film_create(&desc, size_of_val(&desc), &mut out.film)
+        }),
+        ("pellicle_film_retain", |handles, _| unsafe {
+            pellicle_film_retain(handles.film)
+        }),
+        ("pellicle_film_plan", |handles, out| unsafe {
+            let plan = out.bytes.as_mut_ptr().cast();
+            pellicle_film_plan(handles.film, plan, size_of::<PellicleFilmPlan>())
+        }),
+        ("pellicle_film_reflectance", |handles, out| unsafe {
+            pellicle_film_reflectance(handles.film, 0.5, 0.0, out.numbers.as_mut_ptr())
+        }),
+        ("pellicle_film_eval", |handles, out| unsafe {
+            let [one, other] = [0, 3].map(|at| out.numbers.as_mut_ptr().add(at));
+            pellicle_film_eval(handles.film, 0.5, 0.0, PELLICLE_SIDE_BASE, one, other)
+        }),
+        ("pellicle_film_reflectance_batch", |handles, out| unsafe {
+            let mut args: PellicleFilmBatchArgs = std::mem::zeroed();
+            args.count = 5;
+            args.cos_theta = const_view(&[0.5]);
+            args.reflectance = view(out.numbers.as_mut_ptr());
+            pellicle_film_reflectance_batch(handles.film, &args, size_of_val(&args))
+        }),
+        ("pellicle_film_reference", |handles, out| unsafe {
+            pellicle_film_reference(handles.film, 0.5, 0.0, out.numbers.as_mut_ptr())
+        }),
+        ("pellicle_film_spectrum", |handles, out| unsafe {
+            let wavelength_nm = 550.0;
+            pellicle_film_spectrum(
+                handles.film,
+                0.5,
+                0.0,
+                &wavelength_nm,
+                1,
+                out.numbers.as_mut_ptr(),
+            )
+        }),
+    ]
+}
+
+/// The functions that the header declares.
+fn declared() -> BTreeSet<&'static str> {
+    let header = include_str!("../../include/pellicle.h");
+    let lines = header
+        .lines()
+        .filter(|line| !line.starts_with("//") && !line.starts_with(' '));
+    let named = lines.filter_map(|line| {
+        let (before, _) = line.split_once('(')?;
+        let name = before.rsplit([' ', '*']).next()?;
+        name.starts_with("pellicle_").then_some(name)
+    });
+    named.collect()
+}
+
+fn message() -> String {
+    // SAFETY: NUL-terminated, until this thread's next failure.
+    let message = unsafe { CStr::from_ptr(pellicle_last_error().cast::<c_char>()) };
+    message.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn a_panic_in_any_entry_point_is_reported_and_harms_nothing() {
+    boundary::quiet_panics();
+    let handles = Handles::new();
+    for (name, call) in calls() {
+        let mut expected = Outputs::new();
+        assert_eq!(
+            call(&handles, &mut expected),
+            PELLICLE_OK,
+            "{name}: {}",
+            message()
+        );
+        let mut outputs = Outputs::new();
+        let status = with_panic(|| call(&handles, &mut outputs));
+        assert_eq!(status, PELLICLE_INTERNAL, "{name}");
+        assert!(
+            message().contains("injected panic"),
+            "{name}: {}",
+            message()
+        );
+        assert_eq!(outputs, Outputs::new(), "{name}");
+        // Every call still does what it did, on the handles that were there.
+        for (other, call) in calls() {
+            assert_eq!(
+                call(&handles, &mut Outputs::new()),
+                PELLICLE_OK,
+                "{other} after {name}"
+            );
+        }
+        assert_eq!(call(&handles, &mut outputs), PELLICLE_OK, "{name}");
+        assert_eq!(outputs.numbers, expected.numbers, "{name}");
+    }
+}
+
+#[test]
+fn a_panic_in_a_release_ends_there() {
+    boundary::quiet_panics();
+    let handles = Handles::new();
+    // SAFETY: live handles: the panic comes before the reference is given up.
+    unsafe {
+        with_panic(|| pellicle_bsdf_release(handles.bsdf));
+        with_panic(|| pellicle_film_release(handles.film));
+        assert_eq!(pellicle_bsdf_retain(handles.bsdf), PELLICLE_OK);
+        assert_eq!(pellicle_film_retain(handles.film), PELLICLE_OK);
+    }
+}
+
+/// Guards the list above: an entry point that is added must be tried.
+#[test]
+fn every_function_of_the_header_is_tried() {
+    let releases = ["pellicle_bsdf_release", "pellicle_film_release"];
+    let tried = calls().into_iter().map(|(name, _)| name);
+    let known: BTreeSet<_> = tried.chain(releases).chain(INFALLIBLE).collect();
+    assert_eq!(known, declared());
+}
