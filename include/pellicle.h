@@ -44,7 +44,8 @@
  * Growth. Structs that are passed together with their own size grow by appending, and zero means
  * default: zero-initialise them and pass sizeof. A shorter struct of an older caller is accepted; a
  * longer one is accepted if what this build does not know is zero, else UNSUPPORTED. Outputs are
- * written up to the smaller size.
+ * written up to the smaller size. A size that no version can have (0, above 65,536, or no multiple of
+ * the struct's alignment) is INVALID_ARGUMENT.
  */
 
 

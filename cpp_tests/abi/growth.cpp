@@ -17,7 +17,7 @@ struct Padding {
 };
 
 // Calls with every size from 1 to beyond this build's, and looks at each byte of the output. A size
-// of 0 or of nonsense is a mistake and refused.
+// that no struct has is a mistake and refused: 0, nonsense, or one that cuts a pointer or a number in two.
 template <class Output, class Call> void check_written_up_to_size(Call call, std::vector<Padding> paddings = {}) {
     Output full;
     std::memset(&full, 0, sizeof full);
@@ -29,11 +29,14 @@ template <class Output, class Call> void check_written_up_to_size(Call call, std
     for (std::size_t size = 1; size <= sizeof full + 16; ++size) {
         CAPTURE(size);
         std::memset(buffer, guard, sizeof buffer);
-        REQUIRE_EQ(call(reinterpret_cast<Output *>(buffer), size), PELLICLE_OK);
+        const bool is_whole = size % alignof(Output) == 0;
+        REQUIRE_EQ(call(reinterpret_cast<Output *>(buffer), size),
+                   is_whole ? PELLICLE_OK : PELLICLE_INVALID_ARGUMENT);
+        const std::size_t written = is_whole ? std::min(size, sizeof full) : 0;
         bool as_expected = true;
         for (std::size_t i = 0; i < sizeof buffer; ++i) {
             if (std::any_of(paddings.begin(), paddings.end(), [i](Padding padding) { return padding.holds(i); })) continue;
-            as_expected = as_expected && buffer[i] == (i < size && i < sizeof full ? expected[i] : guard);
+            as_expected = as_expected && buffer[i] == (i < written ? expected[i] : guard);
         }
         CHECK(as_expected);
     }
@@ -196,6 +199,23 @@ TEST_CASE("growth: older, shorter sample batch arguments leave out the outputs t
     CHECK_EQ(call_truncated(batch.args, offsetof(PellicleSampleBatchArgs, lobe), call), PELLICLE_OK);
     CHECK_GT(batch.pdf, 0.0f);
     CHECK_EQ(batch.lobe, 77);
+}
+
+// Found by the fuzzer: half of the pointer to the model's name was followed.
+TEST_CASE("growth: a description that ends within a pointer is refused") {
+    PellicleBsdfDesc desc{};
+    desc.model = "lambert";
+    PellicleFilmDesc film{};
+    film.base = support::medium(1.5f);
+    for (std::size_t size = 1; size < sizeof film; ++size) {
+        if (size % alignof(PellicleFilmDesc) == 0) continue;
+        CAPTURE(size);
+        support::Untouched<PellicleBsdf *> bsdf;
+        if (size < sizeof desc)
+            CHECK_REFUSED(pellicle_bsdf_create(&desc, size, &bsdf.output), PELLICLE_INVALID_ARGUMENT, "size");
+        support::Untouched<PellicleFilm *> handle;
+        CHECK_REFUSED(pellicle_film_create(&film, size, &handle.output), PELLICLE_INVALID_ARGUMENT, "size");
+    }
 }
 
 TEST_CASE("growth: an older BSDF description ends before its film") {

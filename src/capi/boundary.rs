@@ -158,7 +158,7 @@ pub(super) unsafe fn read_growing<T: Copy>(
     name: &'static str,
 ) -> Result<T, Error> {
     require(pointer, name)?;
-    check_size(size, name)?;
+    check_size::<T>(size, name)?;
     if size == size_of::<T>() {
         // SAFETY: `size` bytes are readable.
         return Ok(unsafe { pointer.read_unaligned() });
@@ -209,14 +209,15 @@ pub(super) fn check_output<T>(
     name: &'static str,
 ) -> Result<(), Error> {
     require(pointer, name)?;
-    check_size(size, name)
+    check_size::<T>(size, name)
 }
 
-/// A struct of no bytes, or of far too many, is a mistake (an uninitialised size, a swapped argument).
+/// Refuses what no version of a struct has for a size: no bytes, far too many (an uninitialised size, a
+/// swapped argument), or a number of them that its alignment does not divide: that would cut a pointer in two.
 #[inline(always)]
-fn check_size(size: usize, name: &'static str) -> Result<(), Error> {
+fn check_size<T>(size: usize, name: &'static str) -> Result<(), Error> {
     const GREATEST: usize = 1 << 16;
-    if size == 0 || size > GREATEST {
+    if size == 0 || size > GREATEST || !size.is_multiple_of(align_of::<T>()) {
         return Err(wrong_size(size, name));
     }
     Ok(())
