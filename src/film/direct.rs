@@ -7,7 +7,7 @@ use super::{Kind, Method, OneLayer};
 use crate::error::Error;
 use crate::math::Rgb;
 use crate::optics::stack::Side;
-use crate::optics::{dielectric_reflectance, schlick};
+use crate::optics::{RGB_WAVELENGTHS_NM, dielectric_reflectance, schlick};
 
 /// Schlick's approximation from the colour at normal incidence.
 pub(super) struct SchlickBase(pub Rgb<f32>);
@@ -18,7 +18,9 @@ pub(super) struct FresnelBase {
     pub eta: f32,
 }
 
-/// A method for one layer.
+/// A method for one layer. In double precision if some light is reflected totally: at a critical angle
+/// a wave is the root of a difference of squares, and has half the digits that they have. In single
+/// precision bands were off by 5e-3 there.
 pub(super) struct OneLayerMethod {
     method: Box<dyn Method<f32>>,
     fixed_nm: Option<f32>,
@@ -36,11 +38,38 @@ impl OneLayerMethod {
     ) -> Result<Self, Error> {
         let fixed = description.varying().is_none();
         let thickness = description.layers[0].thickness_nm[0] as f32;
+        let method = if reflects_totally(description) {
+            Box::new(Rounded(kind.compile::<f64>(layer)?))
+        } else {
+            kind.compile::<f32>(layer)?
+        };
         Ok(Self {
-            method: kind.compile::<f32>(layer)?,
+            method,
             fixed_nm: fixed.then_some(thickness),
         })
     }
+}
+
+/// Evaluated in double precision.
+struct Rounded(Box<dyn Method<f64>>);
+
+impl Method<f32> for Rounded {
+    fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        let found = self
+            .0
+            .reflectance(f64::from(cos_theta), f64::from(thickness_nm));
+        found.map(|channel| channel as f32)
+    }
+}
+
+/// Whether the film or the base has a lower index than the ambient medium anywhere.
+fn reflects_totally(description: &FilmDescription) -> bool {
+    let layers = description.layers.iter().map(|layer| &layer.medium);
+    let mut below = layers.chain([&description.base]);
+    below.any(|medium| {
+        let is_lower = |nm: f64| medium.index(nm).re < description.ambient.index(nm).re;
+        RGB_WAVELENGTHS_NM.into_iter().any(is_lower)
+    })
 }
 
 impl Evaluator for SchlickBase {

@@ -8,9 +8,10 @@ use crate::optics::stack::Side;
 const THICK_NM: f64 = 3e5;
 /// The wavelengths whose critical angles are among the angles.
 const CRITICAL_NM: [f64; 3] = [430.0, 550.0, 680.0];
-/// What is measured about a critical angle: steps of the cosine, and parts of the thickness.
-const STEPS: [f64; 5] = [-0.004, -0.001, 0.0, 0.001, 0.004];
-const PARTS: [f64; 3] = [0.07, 0.5, 1.0];
+/// What is measured about a critical angle: steps of the cosine, and parts of the thickness, the thinnest
+/// films among them, which the light tunnels through.
+const STEPS: [f64; 6] = [-0.004, -0.001, 0.0, 1e-6, 0.001, 0.004];
+const PARTS: [f64; 5] = [0.0, 0.001, 0.07, 0.5, 1.0];
 
 /// Side, cosine on that side and thickness: a third evenly, a third towards grazing angles, a third towards
 /// both grazing angles and thin films, by the R2 sequence (Roberts 2018). From both sides by turns, if both
@@ -38,7 +39,8 @@ pub(super) fn points(
             })
         })
     });
-    scattered.chain(critical)
+    let all = scattered.chain(critical);
+    all.map(|(side, cosine, thickness)| (side, f64::from(cosine as f32), thickness))
 }
 
 /// The range of the thickness in which methods are measured, nm.
@@ -47,8 +49,8 @@ pub(super) fn measured_range(description: &FilmDescription) -> [f64; 2] {
     [least, greatest.min(least.max(THICK_NM))]
 }
 
-/// The cosines at which light from a side begins to go along a layer or the far half-space whose index
-/// disperses, at some wavelengths: there the spectrum has a root in it.
+/// The cosines at which light from a side begins to go along a layer or the far half-space, at some
+/// wavelengths if an index disperses: there a root begins, in the spectrum too if it does.
 fn critical_cosines(description: &FilmDescription, side: Side) -> Vec<f64> {
     let (near, far) = match side {
         Side::Ambient => (&description.ambient, &description.base),
@@ -57,10 +59,9 @@ fn critical_cosines(description: &FilmDescription, side: Side) -> Vec<f64> {
     let layers = description.layers.iter().map(|layer| &layer.medium);
     let mut cosines = Vec::new();
     for medium in layers.chain(std::iter::once(far)) {
-        if medium.constant().is_some() && near.constant().is_some() {
-            continue;
-        }
-        for wavelength_nm in CRITICAL_NM {
+        let is_constant = medium.constant().is_some() && near.constant().is_some();
+        let wavelengths = if is_constant { 1 } else { CRITICAL_NM.len() };
+        for &wavelength_nm in &CRITICAL_NM[..wavelengths] {
             let ratio = medium.index(wavelength_nm).re / near.index(wavelength_nm).re;
             if ratio < 1.0 {
                 cosines.push((1.0 - ratio * ratio).sqrt());
