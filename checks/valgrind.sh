@@ -6,3 +6,5 @@ step cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 step cmake --build build --target abi_shared
 step valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=definite \
     build/bin/abi_shared --test-case-exclude="float environment*,threads*,references*,film values*"
+# Batches once more where every look-up is a load of its own.
+PELLICLE_SIMD=sse2 step valgrind --quiet --error-exitcode=1 build/bin/abi_shared --test-case='*batch*'

@@ -132,17 +132,17 @@ fn models_conserve_energy() {
         let bsdf = drawn.double();
         // 2e-3: what quadrature may be wrong by, see tests/albedo.rs; a closed form has no such error.
         let greatest = if is_dirac(&bsdf) { 1.0 + 1e-6 } else { 1.002 };
-        for wo in [
-            DVec3::Z,
-            visible(&bsdf, &mut rng),
-            common::degrees(89.0, 10.0),
-        ] {
-            let power = power(&bsdf, wo);
-            let bound = power
-                .into_iter()
-                .all(|power| (0.0..=greatest).contains(&power));
-            prop_assert!(bound, "{:?} wo {wo:?}: {power:?}", drawn.description);
-        }
+        // One of them: an albedo takes a hundred milliseconds.
+        let wo = match rng.random_range(0..3) {
+            0 => DVec3::Z,
+            1 => visible(&bsdf, &mut rng),
+            _ => common::degrees(89.0, 10.0),
+        };
+        let power = power(&bsdf, wo);
+        let bound = power
+            .into_iter()
+            .all(|power| (0.0..=greatest).contains(&power));
+        prop_assert!(bound, "{:?} wo {wo:?}: {power:?}", drawn.description);
         Ok(())
     });
 }

@@ -4,8 +4,6 @@
 #include <atomic>
 #include <thread>
 
-#include <malloc.h>
-
 namespace {
 
 using support::Vec3;
@@ -46,19 +44,12 @@ void evaluate_and_release(PellicleBsdf *bsdf, const Vec3 &expected, std::atomic<
     pellicle_bsdf_release(bsdf);
 }
 
-std::size_t bytes_in_use() {
-    return mallinfo2().uordblks;
-}
-
-// So many cycles, each of which tells whether it did what it should; the first ones fill the allocator's own
-// caches.
+// So many cycles, each of which tells whether it did what it should.
 template <class Cycle> void check_no_growth(int count, Cycle cycle) {
+    constexpr int first = 1000;
     int right = 0;
-    for (int i = 0; i < 1000; ++i) right += cycle();
-    const std::size_t before = bytes_in_use();
-    for (int i = 0; i < count; ++i) right += cycle();
-    CHECK_EQ(bytes_in_use(), before);
-    CHECK_EQ(right, count + 1000);
+    support::check_no_growth(first, count, [&] { right += cycle(); });
+    CHECK_EQ(right, count + first);
 }
 
 bool make_and_release(const char *model, const PellicleFilm *film = nullptr) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -48,6 +49,10 @@ pellicle::BsdfBuilder builder(const Model &model) {
     result.film(film_for(model, false));
     if (model.film_param) result.choose(model.film_param, "film");
     return result;
+}
+
+std::size_t bytes_in_use() {
+    return mallinfo2().uordblks;
 }
 
 PellicleStatus create_film(const PellicleFilmDesc &desc) {

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <cstring>
-#include <malloc.h>
 #include <thread>
 
 namespace {
@@ -44,10 +43,6 @@ std::vector<Results> results(const pellicle::Bsdf &bsdf, const support::Varying 
     return all;
 }
 
-std::size_t bytes_in_use() {
-    return mallinfo2().uordblks;
-}
-
 } // namespace
 
 TEST_CASE("threads: a handle shared by many threads gives what it gives one") {
@@ -86,18 +81,14 @@ TEST_CASE("references: as many releases as retains keep the handle, one more fre
         for (int i = 0; i <= retains; ++i) pellicle_bsdf_release(bsdf);
     };
 
-    // The allocator's own caches fill during the first round.
-    for (int i = 0; i < 1000; ++i) create_and_free(3);
-    const std::size_t before = bytes_in_use();
-    for (int i = 0; i < 1000; ++i) create_and_free(3);
-    CHECK_EQ(bytes_in_use(), before);
+    support::check_no_growth(1000, 1000, [&] { create_and_free(3); });
 
     PellicleBsdf *bsdf = nullptr;
     REQUIRE_EQ(pellicle_bsdf_create(&desc, sizeof desc, &bsdf), PELLICLE_OK);
-    const std::size_t with_one = bytes_in_use();
+    const std::size_t with_one = support::bytes_in_use();
     for (int i = 0; i < 5; ++i) REQUIRE_EQ(pellicle_bsdf_retain(bsdf), PELLICLE_OK);
     for (int i = 0; i < 5; ++i) pellicle_bsdf_release(bsdf);
-    CHECK_EQ(bytes_in_use(), with_one);
+    CHECK_EQ(support::bytes_in_use(), with_one);
     PellicleBsdfInfo info{};
     CHECK_EQ(pellicle_bsdf_info(bsdf, &info, sizeof info), PELLICLE_OK);
     CHECK_EQ(std::string(info.model), "layered");
@@ -167,11 +158,7 @@ TEST_CASE("references: as many releases as retains keep a film, one more frees i
         for (int i = 0; i < retains; ++i) REQUIRE_EQ(pellicle_film_retain(film), PELLICLE_OK);
         for (int i = 0; i <= retains; ++i) pellicle_film_release(film);
     };
-    // The allocator's own caches fill during the first rounds.
-    for (int i = 0; i < 200; ++i) create_and_free(3);
-    const std::size_t before = bytes_in_use();
-    for (int i = 0; i < 50; ++i) create_and_free(3);
-    CHECK_EQ(bytes_in_use(), before);
+    support::check_no_growth(200, 50, [&] { create_and_free(3); });
 }
 
 TEST_CASE("references: a BSDF keeps its film, and gives it up at its end") {
@@ -193,10 +180,7 @@ TEST_CASE("references: a BSDF keeps its film, and gives it up at its end") {
         pellicle_film_release(film);
         CHECK(support::same_bits(bsdf.sample(up, u).weight, expected.data(), 3));
     };
-    for (int i = 0; i < 200; ++i) create_and_free();
-    const std::size_t before = bytes_in_use();
-    for (int i = 0; i < 50; ++i) create_and_free();
-    CHECK_EQ(bytes_in_use(), before);
+    support::check_no_growth(200, 50, create_and_free);
 }
 
 TEST_CASE("create: a film's description is copied, the caller may overwrite it at once") {

@@ -3,7 +3,6 @@
 
 #![allow(unsafe_code)] // batches go by addresses
 
-#[allow(dead_code)] // tests use more of it
 #[path = "../../tests/common/mod.rs"]
 mod common;
 #[path = "../../tests/common/evaluations/mod.rs"]

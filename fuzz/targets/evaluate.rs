@@ -1,6 +1,5 @@
 #![no_main]
 
-#[allow(dead_code)] // tests use more of it
 #[path = "../../tests/common/mod.rs"]
 mod common;
 #[path = "../../tests/common/contract/mod.rs"]

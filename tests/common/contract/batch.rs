@@ -62,7 +62,7 @@ impl Array {
             before + after + WORD as usize
         };
         Self {
-            memory: Guarded::new(length, bytes.byte() % 2 == 0, PATTERN),
+            memory: Guarded::new(length, bytes.byte().is_multiple_of(2), PATTERN),
             origin: before,
             strides,
             components,

@@ -119,7 +119,11 @@ fn medium(bytes: &mut Bytes, memory: &mut Memory) -> PellicleMedium {
         let (eta, k) = (bytes.number(1.0, 4.0), bytes.number(0.0, 8.0));
         let differs = bytes.byte() > 200;
         medium.eta = std::array::from_fn(|_| if differs { bytes.number(1.0, 4.0) } else { eta });
-        medium.k = if kind % 2 == 0 { [0.0; 3] } else { [k; 3] };
+        medium.k = if kind.is_multiple_of(2) {
+            [0.0; 3]
+        } else {
+            [k; 3]
+        };
     }
     if kind % 8 == 6 || kind > 250 {
         let count = bytes.index(5);

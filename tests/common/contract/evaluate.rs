@@ -26,7 +26,7 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
         varying.extend((0..*components).map(|_| bytes.number(*min, *max)));
     }
     let is_complete = varying.len() == subject.info.varying_floats as usize;
-    let varying = if is_complete && bytes.byte() % 8 > 0 {
+    let varying = if is_complete && !bytes.byte().is_multiple_of(8) {
         varying.as_ptr()
     } else {
         null()

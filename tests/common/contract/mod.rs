@@ -16,8 +16,11 @@ mod outcome;
 mod subjects;
 mod texts;
 
+/// A function of arbitrary bytes, which panics if the contract is broken.
+pub type Target = fn(&[u8]);
+
 /// What to call with arbitrary bytes, by the name of the fuzzer and of the corpus.
-pub const TARGETS: [(&str, fn(&[u8])); 4] = [
+pub const TARGETS: [(&str, Target); 4] = [
     ("batch", batch::run),
     ("create_bsdf", create_bsdf::run),
     ("create_film", create_film::run),

@@ -30,7 +30,7 @@ pub fn subject(number: u16) -> Subject<'static> {
     let model = number % models().len();
     let number = number / models().len();
     let combination = (number / 2) as u64 % combinations(&models()[model]);
-    let key = (model, combination, number % 2 == 0);
+    let key = (model, combination, number.is_multiple_of(2));
     *MADE.lock().unwrap().entry(key).or_insert_with(|| make(key))
 }
 

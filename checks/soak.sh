@@ -1,0 +1,5 @@
+# The renderer for ten minutes, on two threads and in little memory: scenes with everything made anew each time.
+setup
+step cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+step cmake --build build --target pellicle_soak
+step build/bin/pellicle_soak "$@" | tee out/soak.md
