@@ -1,6 +1,6 @@
-# Every fuzzer for a bounded time, from the kept corpus on: [--seconds N, 60] [fuzzer ...]. What it finds
+# Every fuzzer for a bounded time, from the kept corpus on: [--seconds N, 30] [fuzzer ...]. What it finds
 # beyond is kept in fuzz/corpus, a failure in fuzz/artifacts.
-seconds=60
+seconds=30
 if [[ "${1:-}" == --seconds ]]; then
     seconds=${2:?"--seconds needs a number"}
     shift 2

@@ -284,7 +284,14 @@ fn structs_are_read_and_written_up_to_the_size_given() {
         // SAFETY: a live handle, and `size` bytes.
         let status =
             unsafe { pellicle_bsdf_sample(bsdf, wo.as_ptr(), u.as_ptr(), null(), pointer, size) };
-        assert_eq!(status, PELLICLE_OK);
+        // No version of a struct ends within a number.
+        let is_whole = size.is_multiple_of(align_of::<PellicleSample>());
+        let expected = if is_whole {
+            PELLICLE_OK
+        } else {
+            PELLICLE_INVALID_ARGUMENT
+        };
+        assert_eq!(status, expected, "{size}");
     }
     let mut model = vec![0u8; size_of::<*const i8>()];
     // SAFETY: a live handle, and as many bytes as are told.

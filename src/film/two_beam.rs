@@ -20,7 +20,8 @@ use crate::optics::stack::{P, S};
 /// Cost: the Fresnel amplitudes of two interfaces and one phase, the three wavelengths in lanes.
 ///
 /// Fails wherever further beams matter, which is everywhere but on films and bases close in index:
-/// energy is not conserved (a perfect base reaches (r + 1 - r^2)^2, up to 25/16, times white), and a
+/// energy is not conserved (a perfect base reaches (r + 1 - r^2)^2, up to 25/16, times white; beyond a
+/// critical angle, where |t01| exceeds 1, 2.4 were found), and a
 /// film of thickness 0 does not reflect like the bare base (r01 + (1 - r01^2) r12, not
 /// (r01 + r12) / (1 + r01 r12)); it does if the film equals a neighbour. Three wavelengths alias
 /// like [`AiryRgb`](super::AiryRgb).

@@ -156,7 +156,7 @@ fn what_goes_wrong(films: &Films) -> String {
         );
         let clipped = "colours are clipped last";
         let missed =
-            "never chosen unasked; by name, what it is measured at may miss so narrow a place";
+            "never chosen unasked; by name only where it holds the tolerance, at critical angles too";
         line(
             "above 1 by",
             worst(films, i, |map| map.above),
