@@ -155,8 +155,7 @@ fn what_goes_wrong(films: &Films) -> String {
             answer(contender),
         );
         let clipped = "colours are clipped last";
-        let missed =
-            "never chosen unasked; by name only where it holds the tolerance, at critical angles too";
+        let missed = "never chosen unasked; by name only where it holds the tolerance, at critical angles too";
         line(
             "above 1 by",
             worst(films, i, |map| map.above),
