@@ -13,6 +13,7 @@ mod front;
 mod labels;
 mod marker;
 mod panel;
+#[path = "../../tests/common/parallel.rs"]
 mod parallel;
 mod report;
 mod suite;

@@ -208,6 +208,28 @@ impl Drawn {
         }
     }
 
+    /// The description with all parameters varying that `may` chooses, as far as the model allows it, and of each
+    /// how many components it has and its range: that of numbers, [0, 0] of directions.
+    pub fn varying(&self, mut may: impl FnMut() -> bool) -> (Description, Vec<(usize, [f32; 2])>) {
+        let info = &self.entry.info;
+        let mut description = self.description.clone();
+        let mut varying = Vec::new();
+        for (index, param) in info.params.iter().enumerate() {
+            let range = match param.kind {
+                _ if !param.can_vary || !may() => continue,
+                _ if info.film_thickness == Some(index) => [100.0, 200.0],
+                ParamKind::Number { min, max, .. } => [min, max],
+                _ => [0.0; 2],
+            };
+            let varied = description.clone().vary(param.name(), range[0], range[1]);
+            if Bsdf::<f32>::new(&varied).is_ok() {
+                description = varied;
+                varying.push((param.components(), range));
+            }
+        }
+        (description, varying)
+    }
+
     /// What is chosen for the parameter of that name.
     pub fn choice(&self, name: &str) -> &'static CStr {
         let index = self.entry.info.param(name).unwrap();

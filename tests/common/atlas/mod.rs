@@ -8,6 +8,7 @@ pub mod axis;
 pub mod contender;
 pub mod jump;
 pub mod map;
+#[path = "../parallel.rs"]
 pub mod parallel;
 pub mod precision;
 pub mod scene;

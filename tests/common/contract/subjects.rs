@@ -6,7 +6,7 @@ use super::super::common::{Drawn, combinations};
 use pellicle::Bsdf;
 use pellicle::capi::*;
 use pellicle::film::{Film, FilmDescription};
-use pellicle::lobe::{ParamKind, models};
+use pellicle::lobe::models;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
@@ -36,21 +36,7 @@ pub fn subject(number: u16) -> Subject<'static> {
 
 fn make((model, combination, varies): (usize, u64, bool)) -> Subject<'static> {
     let entry = &models()[model];
-    let mut description = Drawn::new(entry, combination).description;
-    let mut varying = Vec::new();
-    for (index, param) in entry.info.params.iter().enumerate() {
-        let range = match param.kind {
-            _ if !param.can_vary || !varies => continue,
-            _ if entry.info.film_thickness == Some(index) => [100.0, 200.0],
-            ParamKind::Number { min, max, .. } => [min, max],
-            _ => [0.0; 2],
-        };
-        let varied = description.clone().vary(param.name(), range[0], range[1]);
-        if Bsdf::<f32>::new(&varied).is_ok() {
-            description = varied;
-            varying.push((param.components(), range));
-        }
-    }
+    let (description, varying) = Drawn::new(entry, combination).varying(|| varies);
     let bsdf = Arc::new(Bsdf::<f32>::new(&description).unwrap());
     let bsdf: *const PellicleBsdf = Arc::into_raw(bsdf).cast();
     // SAFETY: plain numbers and pointers, for which 0 is valid; the handle is alive.

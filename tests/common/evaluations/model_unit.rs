@@ -7,7 +7,7 @@ use super::planes::Planes;
 use super::{BATCH, Settings, Tally};
 use glam::Vec3;
 use pellicle::batch::{ConstView, EvalArgs, SampleArgs, eval, sample};
-use pellicle::lobe::{Flags, ParamKind, models};
+use pellicle::lobe::{Flags, models};
 use pellicle::math::Level;
 use pellicle::{Bsdf, Description};
 use rand::{Rng, RngExt};
@@ -49,26 +49,17 @@ fn subject(settings: &Settings, number: usize, level: Level, rng: &mut impl Rng)
     let entry = &entries[number % entries.len()];
     let seed = settings.seed.wrapping_mul(1_000_003) + (number / entries.len()) as u64;
     let drawn = Drawn::new(entry, seed);
-    let mut description = drawn.description.clone();
-    let mut ranges = Vec::new();
     let share = [0.0, 0.3, 1.0][rng.random_range(0..3)];
-    for (index, param) in entry.info.params.iter().enumerate() {
-        let range = match param.kind {
-            _ if !param.can_vary || !rng.random_bool(share) => continue,
-            _ if entry.info.film_thickness == Some(index) => [100.0, 200.0],
-            ParamKind::Number { min, max, .. } => [min, max],
-            _ => [0.0; 2],
+    let (description, varying) = drawn.varying(|| rng.random_bool(share));
+    let mut ranges = Vec::new();
+    for (components, range) in varying {
+        // Directions are of any length.
+        let range = if range == [0.0; 2] {
+            [-0.5, 1.0]
+        } else {
+            range
         };
-        let varied = description.clone().vary(param.name(), range[0], range[1]);
-        if Bsdf::<f32>::new(&varied).is_ok() {
-            description = varied;
-            let range = if range == [0.0; 2] {
-                [-0.5, 1.0]
-            } else {
-                range
-            };
-            ranges.extend(vec![range; param.components()]);
-        }
+        ranges.extend(vec![range; components]);
     }
     Subject {
         bsdf: Bsdf::new(&description).unwrap(),
