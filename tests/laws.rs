@@ -229,7 +229,7 @@ fn weight_is_value_over_pdf() {
 
 #[test]
 fn weights_add_up_to_the_albedo() {
-    const COUNT: usize = 20_000;
+    const COUNT: usize = 8_000;
     for entry in models() {
         for seed in 0..common::combinations(entry).max(20) {
             let mut rng = rng(!seed);

@@ -1,5 +1,5 @@
 //! Random evaluations of every model and of random films, in batches: no result is NaN, infinite,
-//! negative or above its bound. Shared by the test of a million (tests/evaluations.rs) and the run of
+//! negative or above its bound. Shared by the test of half a million (tests/evaluations.rs) and the run of
 //! 1e9 (examples/evaluations, `./x check evaluations`).
 //!
 //! Work comes in units: one description with one set of instructions, and many inputs. Three of four
