@@ -5,7 +5,7 @@ use super::compiled::{Compiled, Evaluator};
 use super::converge::{converged, uncertainty};
 use super::direct::{FresnelBase, OneLayerMethod, SchlickBase, SeriesMethod};
 use super::fit::{Errors, Limits};
-use super::points::points;
+use super::points::{points, points_near_critical_angles};
 use super::series::Series;
 use super::sheets::{Sheet, Sheets};
 use super::{FilmDescription, Kind, OneLayer};
@@ -295,7 +295,9 @@ impl Workshop<'_> {
                 SLOW_POINTS
             };
             // No transmittance is asked for where this is: all points are on the ambient's side.
-            let points = points(self.description, count).map(|(_, c, d)| {
+            let scattered = points(self.description, count).map(|(_, c, d)| (c, d));
+            let points = scattered.chain(points_near_critical_angles(self.description));
+            let points = points.map(|(c, d)| {
                 let found = if is_fast {
                     self.series.at(Side::Ambient, c, d).reflectance
                 } else {

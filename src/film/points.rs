@@ -8,10 +8,12 @@ use crate::optics::stack::Side;
 const THICK_NM: f64 = 3e5;
 /// The wavelengths whose critical angles are among the angles.
 const CRITICAL_NM: [f64; 3] = [430.0, 550.0, 680.0];
-/// What is measured about a critical angle: steps of the cosine, and parts of the thickness, the thinnest
-/// films among them, which the light tunnels through.
-const STEPS: [f64; 6] = [-0.004, -0.001, 0.0, 1e-6, 0.001, 0.004];
-const PARTS: [f64; 5] = [0.0, 0.001, 0.07, 0.5, 1.0];
+/// What is measured about a critical angle: steps of the cosine, and parts of the thickness.
+const STEPS: [f64; 5] = [-0.004, -0.001, 0.0, 0.001, 0.004];
+const PARTS: [f64; 3] = [0.07, 0.5, 1.0];
+/// The same for methods that cut their sums: thinnest films too, which the light tunnels through.
+const NEAR_STEPS: [f64; 4] = [-1e-6, 0.0, 1e-6, 1e-5];
+const THIN_PARTS: [f64; 4] = [0.0, 0.001, 0.07, 0.5];
 
 /// Side, cosine on that side and thickness: a third evenly, a third towards grazing angles, a third towards
 /// both grazing angles and thin films, by the R2 sequence (Roberts 2018). From both sides by turns, if both
@@ -31,7 +33,7 @@ pub(super) fn points(
         (side, cos_theta, least + part * (greatest - least))
     });
     let critical = sides.iter().flat_map(move |&side| {
-        let cosines = critical_cosines(description, side).into_iter();
+        let cosines = critical_cosines(description, side, false).into_iter();
         cosines.flat_map(move |cosine| {
             STEPS.into_iter().flat_map(move |step| {
                 let cosine = (cosine + step).clamp(0.0, 1.0);
@@ -43,6 +45,21 @@ pub(super) fn points(
     all.map(|(side, cosine, thickness)| (side, f64::from(cosine as f32), thickness))
 }
 
+/// Cosine and thickness on the ambient's side, closely about the critical angles of all media: what else to measure
+/// methods for one layer at. Cosines are those of single precision.
+pub(super) fn points_near_critical_angles(
+    description: &FilmDescription,
+) -> impl Iterator<Item = (f64, f64)> {
+    let [least, greatest] = measured_range(description);
+    let cosines = critical_cosines(description, Side::Ambient, true).into_iter();
+    cosines.flat_map(move |cosine| {
+        NEAR_STEPS.into_iter().flat_map(move |step| {
+            let cosine = f64::from((cosine + step).clamp(0.0, 1.0) as f32);
+            THIN_PARTS.map(|part| (cosine, least + part * (greatest - least)))
+        })
+    })
+}
+
 /// The range of the thickness in which methods are measured, nm.
 pub(super) fn measured_range(description: &FilmDescription) -> [f64; 2] {
     let [least, greatest] = description.varying_range();
@@ -50,8 +67,9 @@ pub(super) fn measured_range(description: &FilmDescription) -> [f64; 2] {
 }
 
 /// The cosines at which light from a side begins to go along a layer or the far half-space, at some
-/// wavelengths if an index disperses: there a root begins, in the spectrum too if it does.
-fn critical_cosines(description: &FilmDescription, side: Side) -> Vec<f64> {
+/// wavelengths: there a root begins, in the spectrum too if the index disperses. Those that do not disperse are
+/// left out unless wanted.
+fn critical_cosines(description: &FilmDescription, side: Side, with_constant: bool) -> Vec<f64> {
     let (near, far) = match side {
         Side::Ambient => (&description.ambient, &description.base),
         Side::Base => (&description.base, &description.ambient),
@@ -60,7 +78,11 @@ fn critical_cosines(description: &FilmDescription, side: Side) -> Vec<f64> {
     let mut cosines = Vec::new();
     for medium in layers.chain(std::iter::once(far)) {
         let is_constant = medium.constant().is_some() && near.constant().is_some();
-        let wavelengths = if is_constant { 1 } else { CRITICAL_NM.len() };
+        let wavelengths = match (is_constant, with_constant) {
+            (true, false) => 0,
+            (true, true) => 1,
+            (false, _) => CRITICAL_NM.len(),
+        };
         for &wavelength_nm in &CRITICAL_NM[..wavelengths] {
             let ratio = medium.index(wavelength_nm).re / near.index(wavelength_nm).re;
             if ratio < 1.0 {
