@@ -2,12 +2,13 @@
 
 use super::FilmDescription;
 use super::compiled::{Colors, Evaluator};
+use super::points::critical_angles;
 use super::series::Series;
 use super::{Kind, Method, OneLayer};
 use crate::error::Error;
 use crate::math::Rgb;
 use crate::optics::stack::Side;
-use crate::optics::{RGB_WAVELENGTHS_NM, dielectric_reflectance, schlick};
+use crate::optics::{dielectric_reflectance, schlick};
 
 /// Schlick's approximation from the colour at normal incidence.
 pub(super) struct SchlickBase(pub Rgb<f32>);
@@ -38,10 +39,10 @@ impl OneLayerMethod {
     ) -> Result<Self, Error> {
         let fixed = description.varying().is_none();
         let thickness = description.layers[0].thickness_nm[0] as f32;
-        let method = if reflects_totally(description) {
-            Box::new(Rounded(kind.compile::<f64>(layer)?))
-        } else {
+        let method = if critical_angles(description, Side::Ambient).is_empty() {
             kind.compile::<f32>(layer)?
+        } else {
+            Box::new(Rounded(kind.compile::<f64>(layer)?))
         };
         Ok(Self {
             method,
@@ -60,16 +61,6 @@ impl Method<f32> for Rounded {
             .reflectance(f64::from(cos_theta), f64::from(thickness_nm));
         found.map(|channel| channel as f32)
     }
-}
-
-/// Whether the film or the base has a lower index than the ambient medium anywhere.
-fn reflects_totally(description: &FilmDescription) -> bool {
-    let layers = description.layers.iter().map(|layer| &layer.medium);
-    let mut below = layers.chain([&description.base]);
-    below.any(|medium| {
-        let is_lower = |nm: f64| medium.index(nm).re < description.ambient.index(nm).re;
-        RGB_WAVELENGTHS_NM.into_iter().any(is_lower)
-    })
 }
 
 impl Evaluator for SchlickBase {

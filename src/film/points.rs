@@ -33,8 +33,10 @@ pub(super) fn points(
         (side, cos_theta, least + part * (greatest - least))
     });
     let critical = sides.iter().flat_map(move |&side| {
-        let cosines = critical_cosines(description, side, false).into_iter();
-        cosines.flat_map(move |cosine| {
+        // Where no index disperses, nothing in the spectrum has to be resolved.
+        let all = critical_angles(description, side).into_iter();
+        let dispersing = all.filter(|angle| angle.disperses);
+        dispersing.flat_map(move |CriticalAngle { cosine, .. }| {
             STEPS.into_iter().flat_map(move |step| {
                 let cosine = (cosine + step).clamp(0.0, 1.0);
                 PARTS.map(|part| (side, cosine, least + part * (greatest - least)))
@@ -51,8 +53,8 @@ pub(super) fn points_near_critical_angles(
     description: &FilmDescription,
 ) -> impl Iterator<Item = (f64, f64)> {
     let [least, greatest] = measured_range(description);
-    let cosines = critical_cosines(description, Side::Ambient, true).into_iter();
-    cosines.flat_map(move |cosine| {
+    let all = critical_angles(description, Side::Ambient).into_iter();
+    all.flat_map(move |CriticalAngle { cosine, .. }| {
         NEAR_STEPS.into_iter().flat_map(move |step| {
             let cosine = f64::from((cosine + step).clamp(0.0, 1.0) as f32);
             THIN_PARTS.map(|part| (cosine, least + part * (greatest - least)))
@@ -66,29 +68,32 @@ pub(super) fn measured_range(description: &FilmDescription) -> [f64; 2] {
     [least, greatest.min(least.max(THICK_NM))]
 }
 
-/// The cosines at which light from a side begins to go along a layer or the far half-space, at some
-/// wavelengths: there a root begins, in the spectrum too if the index disperses. Those that do not disperse are
-/// left out unless wanted.
-fn critical_cosines(description: &FilmDescription, side: Side, with_constant: bool) -> Vec<f64> {
+/// Where light begins to go along a layer or the far half-space: a root begins there.
+#[derive(Clone, Copy)]
+pub(super) struct CriticalAngle {
+    cosine: f64,
+    /// Whether it is another one at another wavelength, so that there is a root in the spectrum too.
+    disperses: bool,
+}
+
+/// The critical angles of light from a side, at some wavelengths if an index disperses.
+pub(super) fn critical_angles(description: &FilmDescription, side: Side) -> Vec<CriticalAngle> {
     let (near, far) = match side {
         Side::Ambient => (&description.ambient, &description.base),
         Side::Base => (&description.base, &description.ambient),
     };
     let layers = description.layers.iter().map(|layer| &layer.medium);
-    let mut cosines = Vec::new();
+    let mut angles = Vec::new();
     for medium in layers.chain(std::iter::once(far)) {
-        let is_constant = medium.constant().is_some() && near.constant().is_some();
-        let wavelengths = match (is_constant, with_constant) {
-            (true, false) => 0,
-            (true, true) => 1,
-            (false, _) => CRITICAL_NM.len(),
-        };
+        let disperses = medium.constant().is_none() || near.constant().is_none();
+        let wavelengths = if disperses { CRITICAL_NM.len() } else { 1 };
         for &wavelength_nm in &CRITICAL_NM[..wavelengths] {
             let ratio = medium.index(wavelength_nm).re / near.index(wavelength_nm).re;
             if ratio < 1.0 {
-                cosines.push((1.0 - ratio * ratio).sqrt());
+                let cosine = (1.0 - ratio * ratio).sqrt();
+                angles.push(CriticalAngle { cosine, disperses });
             }
         }
     }
-    cosines
+    angles
 }
