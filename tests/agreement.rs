@@ -6,7 +6,6 @@ mod agreement;
 mod common;
 
 use agreement::bounds::{Between, of_variant};
-use agreement::films::METHODS;
 use agreement::row::{Quantity, Row};
 use agreement::run::{Settings, run};
 use agreement::tally::{FLOOR, Tally, relative};
@@ -50,30 +49,6 @@ fn every_choice_of_every_model_has_a_row() {
     names.sort_unstable();
     names.dedup();
     assert_eq!(names.len(), variants.len(), "two rows of one name");
-}
-
-/// The refusal of an unknown method lists those that there are.
-#[test]
-fn every_method_of_films_has_a_row() {
-    let unknown = FilmDescription {
-        method: Some("none".into()),
-        ..bare(constant(1.5, 0.0))
-    };
-    let message = Film::new(&unknown).err().unwrap().to_string();
-    let (_, list) = message.split_once("there are").unwrap_or(("", &message));
-    for word in list.split(|c: char| !c.is_alphanumeric() && c != '_') {
-        let is_method = Film::new(&FilmDescription {
-            method: Some(word.into()),
-            ..bare(constant(1.5, 0.0))
-        });
-        let is_unknown =
-            matches!(&is_method, Err(error) if error.status == pellicle::Status::UnknownName);
-        assert!(is_unknown || METHODS.contains(&word), "{word}");
-    }
-    assert!(
-        METHODS.iter().all(|method| message.contains(method)),
-        "{message}"
-    );
 }
 
 fn row() -> Row {

@@ -5,7 +5,7 @@
 mod atlas;
 
 use atlas::axis::ANGLE;
-use atlas::contender::{Compiled, Contender};
+use atlas::contender::{Compiled, Contender, FORCED};
 use atlas::map::{Map, clipped_error};
 use atlas::scene::{Across, Scene, Truth};
 use atlas::stack::Stack;
@@ -109,15 +109,6 @@ fn plans_hold_their_tolerance_at_every_index() {
 /// A method asked for by name is refused wherever its map passes the tolerance.
 #[test]
 fn forced_methods_are_refused_where_the_atlas_shows_them_fail() {
-    const METHODS: [&str; 7] = [
-        "two_beam",
-        "airy_rgb",
-        "quadrature",
-        "harmonics",
-        "bands",
-        "series",
-        "table",
-    ];
     const TOLERANCE: f64 = 2e-3;
     let scenes: Vec<Scene> = films()
         .into_iter()
@@ -127,7 +118,7 @@ fn forced_methods_are_refused_where_the_atlas_shows_them_fail() {
         .iter()
         .map(|scene| scene.truth(CELLS).unwrap())
         .collect();
-    let jobs: Vec<(&str, usize)> = METHODS
+    let jobs: Vec<(&str, usize)> = FORCED
         .iter()
         .flat_map(|method| (0..scenes.len()).map(move |i| (*method, i)))
         .collect();
@@ -149,7 +140,7 @@ fn forced_methods_are_refused_where_the_atlas_shows_them_fail() {
         let own = jobs.iter().zip(&refused).filter(|(job, _)| job.0 == method);
         own.filter(|(_, is_refused)| **is_refused).count()
     };
-    let counts = METHODS.map(of);
+    let counts = FORCED.map(of);
     assert_eq!(counts[..2], [scenes.len(); 2], "{counts:?}");
     assert!((1..scenes.len()).contains(&counts[2]), "{counts:?}");
     assert_eq!(counts[5], 0, "{counts:?}");

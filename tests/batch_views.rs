@@ -275,12 +275,12 @@ enum Over {
 }
 
 impl Over {
-    fn view<T>(self, inputs: &mut Inputs, is_sampled: bool) -> View<T> {
+    fn array(self, inputs: &mut Inputs, is_sampled: bool) -> &mut Array {
         match self {
-            Self::Wo => inputs.wo.view(),
-            Self::Other if is_sampled => inputs.u.view(),
-            Self::Other => inputs.wi.view(),
-            Self::Varying(param) => inputs.varying[param].view(),
+            Self::Wo => &mut inputs.wo,
+            Self::Other if is_sampled => &mut inputs.u,
+            Self::Other => &mut inputs.wi,
+            Self::Varying(param) => &mut inputs.varying[param],
         }
     }
 }
@@ -321,8 +321,8 @@ fn check_eval_in_place(
 ) {
     let mut inputs = Inputs::new(subject, count, layout);
     let expected = inputs.evaluated(&subject.bsdf, count);
-    let value = vector.view(&mut inputs, false);
-    let pdf = scalar.view(&mut inputs, false);
+    let value = vector.array(&mut inputs, false).view();
+    let pdf = scalar.array(&mut inputs, false).view();
     let args = EvalArgs {
         count,
         wo: inputs.wo.const_view(),
@@ -334,11 +334,7 @@ fn check_eval_in_place(
     // SAFETY: all views are of arrays of `count` elements.
     unsafe { eval(&subject.bsdf, &args, level) }.unwrap();
     for (i, expected) in expected.iter().enumerate() {
-        let value = match vector {
-            Over::Wo => inputs.wo.get(i),
-            Over::Other => inputs.wi.get(i),
-            Over::Varying(param) => inputs.varying[param].get(i),
-        };
+        let value = vector.array(&mut inputs, false).get(i);
         assert_eq!(bits(value), bits(expected.0), "{what}, {i}");
         let pdf = inputs.varying[0].get(i);
         assert_eq!(bits(pdf), bits([expected.1]), "{what}, {i}");
@@ -356,8 +352,8 @@ fn check_sample_in_place(
 ) {
     let mut inputs = Inputs::new(subject, count, layout);
     let expected = inputs.sampled(&subject.bsdf, count);
-    let wi = vector.view(&mut inputs, true);
-    let lobe = scalar.view::<u32>(&mut inputs, true);
+    let wi = vector.array(&mut inputs, true).view();
+    let lobe = scalar.array(&mut inputs, true).view();
     let args = SampleArgs {
         count,
         wo: inputs.wo.const_view(),
@@ -377,11 +373,7 @@ fn check_sample_in_place(
     // SAFETY: all views are of arrays of `count` elements.
     unsafe { sample(&subject.bsdf, &args, level) }.unwrap();
     for (i, expected) in expected.iter().enumerate() {
-        let wi = match vector {
-            Over::Wo => inputs.wo.get(i),
-            Over::Other => inputs.u.get(i),
-            Over::Varying(param) => inputs.varying[param].get(i),
-        };
+        let wi = vector.array(&mut inputs, true).get(i);
         assert_eq!(bits(wi), bits(expected.wi.to_array()), "{what}, {i}");
         let lobe = inputs.varying[0].bits(i, 0);
         assert_eq!(lobe, expected.lobe as u32, "{what}, {i}");

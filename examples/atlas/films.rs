@@ -1,6 +1,6 @@
 //! Every interference method over every scene.
 
-use crate::atlas::contender::Contender;
+use crate::atlas::contender::{Contender, FORCED};
 use crate::atlas::map::{Found, Map};
 use crate::atlas::scene::{Across, Scene, Truth};
 use crate::atlas::{jump, parallel, precision, scene};
@@ -10,16 +10,6 @@ use pellicle::Error;
 pub const CELLS: usize = 28;
 /// What methods asked for by name must hold; the default.
 pub const TOLERANCE: f64 = 2e-3;
-/// Those that may be asked for by name and can fail.
-pub const FORCED: [&str; 7] = [
-    "two_beam",
-    "airy_rgb",
-    "quadrature",
-    "harmonics",
-    "bands",
-    "series",
-    "table",
-];
 
 /// A scene, and what each contender does on it, in the order of [`contenders`].
 pub struct Swept {

@@ -37,7 +37,7 @@ pub struct FilmDescription {
     pub white: White,
     /// The space of the colours.
     pub color_space: ColorSpace,
-    /// A method's name; `None` lets the plan choose.
+    /// One of [`METHODS`](super::METHODS); `None` lets the plan choose.
     pub method: Option<String>,
     /// Leave colours outside \[0, 1\] as they are.
     pub unclipped: bool,

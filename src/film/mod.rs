@@ -31,6 +31,7 @@ mod two_beam;
 
 pub use airy_rgb::AiryRgb;
 pub use bands::Bands;
+pub use candidate::METHODS;
 pub use compiled::{Colors, Film};
 pub use description::{DEFAULT_TOLERANCE, FilmDescription, FilmLayer, LEAST_TOLERANCE, MAX_LAYERS};
 pub use harmonics::{Harmonics, MAX_ORDER, Sensitivity};

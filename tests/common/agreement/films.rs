@@ -4,7 +4,7 @@
 use super::batch::reflectances;
 use super::row::{Quantity, Row};
 use crate::common::films::{bare, constant, medium, soap};
-use pellicle::film::{Film, FilmDescription, Kind, Method, OneLayer, Sensitivity};
+use pellicle::film::{Film, FilmDescription, Kind, METHODS, Method, OneLayer, Sensitivity};
 use pellicle::math::Level;
 use pellicle::optics::{dielectric_reflectance, schlick};
 use rand::{Rng, RngExt};
@@ -29,18 +29,10 @@ enum Truth {
 }
 
 /// Methods, with films for each: the tolerance decides how fine they are.
-pub const METHODS: [&str; 10] = [
-    "schlick",
-    "fresnel",
-    "table",
-    "two_beam",
-    "airy_rgb",
-    "quadrature",
-    "harmonics",
-    "bands",
-    "series",
-    "reference",
-];
+/// Of the methods.
+pub fn names() -> [&'static str; METHODS.len()] {
+    METHODS.map(|name| name.to_str().unwrap())
+}
 
 /// Films of every method.
 pub fn subjects() -> Vec<Subject> {
@@ -52,7 +44,7 @@ pub fn subjects() -> Vec<Subject> {
         assert!(all.len() >= 2, "few films can be had by {method}");
         all
     };
-    METHODS.into_iter().flat_map(of).collect()
+    names().into_iter().flat_map(of).collect()
 }
 
 /// Soap, a dielectric, a metal, and two films so thick that their phase is hundreds of turns.

@@ -21,6 +21,17 @@ pub enum Contender {
     Planned(f64),
 }
 
+/// The methods that may be asked for by name and can fail.
+pub const FORCED: [&str; 7] = [
+    "two_beam",
+    "airy_rgb",
+    "quadrature",
+    "harmonics",
+    "bands",
+    "series",
+    "table",
+];
+
 /// A contender, ready for a stack.
 pub enum Compiled {
     Layered(Box<(Bsdf<f32>, Bsdf<f64>)>),

@@ -5,6 +5,7 @@ use super::bytes::Bytes;
 use super::outcome::{Output, must_be_within, succeeded};
 use super::texts::Texts;
 use pellicle::capi::*;
+use pellicle::film::METHODS;
 use std::ffi::CStr;
 use std::ptr::null;
 
@@ -13,18 +14,6 @@ const MEDIA: [&CStr; 8] = [
 ];
 const WHITES: [&CStr; 2] = [c"E", c"D65"];
 const SPACES: [&CStr; 4] = [c"rec709", c"rec2020", c"acescg", c"xyz"];
-const METHODS: [&CStr; 10] = [
-    c"schlick",
-    c"fresnel",
-    c"table",
-    c"two_beam",
-    c"airy_rgb",
-    c"quadrature",
-    c"harmonics",
-    c"bands",
-    c"series",
-    c"reference",
-];
 
 const MOST_LAYERS: usize = 3;
 const MOST_THICKNESS_NM: f32 = 800.0;
