@@ -13,5 +13,5 @@ command -v cargo-fuzz >/dev/null || die 1 "cargo-fuzz is missing and could not b
 for target in "$@"; do
     mkdir -p "fuzz/corpus/$target"
     step cargo +nightly fuzz run "$target" "fuzz/corpus/$target" "tests/data/corpus/$target" -- \
-        -max_total_time="$seconds" -timeout=60 -max_len=2048 -print_final_stats=1
+        -max_total_time="$seconds" -timeout=60 -max_len=2048 -len_control=0 -print_final_stats=1
 done

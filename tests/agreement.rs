@@ -10,8 +10,6 @@ use agreement::row::{Quantity, Row};
 use agreement::run::{Settings, run};
 use agreement::tally::{FLOOR, Tally, relative};
 use agreement::variants::variants;
-use common::films::{bare, constant};
-use pellicle::film::{Film, FilmDescription};
 use pellicle::lobe::{ParamKind, models};
 
 #[test]

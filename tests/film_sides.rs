@@ -207,7 +207,7 @@ fn tables_hold_the_tolerance_at_critical_angles() {
         .layer(constant(2.1, 0.0), [120.0; 2])
         .layer(constant(1.62, 0.0), [80.0; 2]);
     let steps = [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3];
-    for description in [prism(), lens, lens_of_one, oil, three] {
+    for description in [prism(), lens, lens_of_one, oil, three, tinted()] {
         let film = Film::new(&two_sided(description)).unwrap();
         assert_eq!(film.plan().method, c"table");
         let description = film.description();
