@@ -39,7 +39,8 @@ impl OneLayerMethod {
     ) -> Result<Self, Error> {
         let fixed = description.varying().is_none();
         let thickness = description.layers[0].thickness_nm[0] as f32;
-        let method = if critical_angles(description, Side::Ambient).is_empty() {
+        let critical = critical_angles(description, Side::Ambient).all();
+        let method = if critical.is_empty() {
             kind.compile::<f32>(layer)?
         } else {
             Box::new(Rounded(kind.compile::<f64>(layer)?))

@@ -295,9 +295,10 @@ impl Workshop<'_> {
                 SLOW_POINTS
             };
             // No transmittance is asked for where this is: all points are on the ambient's side.
-            let scattered = points(self.description, count).map(|(_, c, d)| (c, d));
-            let points = scattered.chain(points_near_critical_angles(self.description));
-            let points = points.map(|(c, d)| {
+            let scattered = points(self.description, count).into_iter();
+            let mut all: Vec<_> = scattered.map(|(_, c, d)| (c, d)).collect();
+            all.extend(points_near_critical_angles(self.description));
+            let found = all.into_iter().map(|(c, d)| {
                 let found = if is_fast {
                     self.series.at(Side::Ambient, c, d).reflectance
                 } else {
@@ -307,7 +308,7 @@ impl Workshop<'_> {
                 };
                 (c, d, found)
             });
-            points.collect()
+            found.collect()
         })
     }
 }
