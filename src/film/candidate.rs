@@ -22,7 +22,8 @@ pub(super) enum Candidate {
     Reference,
 }
 
-/// The names that a method is forced by ([`FilmDescription::method`]) and reported with ([`Plan::method`](super::Plan::method)).
+/// The names that a method is forced by ([`FilmDescription::method`]) and reported with
+/// ([`Plan::method`](super::Plan::method)).
 pub const METHODS: [&CStr; 10] = [
     c"schlick",
     c"fresnel",

@@ -28,8 +28,7 @@ enum Truth {
     Reference(usize),
 }
 
-/// Methods, with films for each: the tolerance decides how fine they are.
-/// Of the methods.
+/// Of all methods.
 pub fn names() -> [&'static str; METHODS.len()] {
     METHODS.map(|name| name.to_str().unwrap())
 }
