@@ -7,7 +7,7 @@
 #![cfg_attr(not(target_arch = "x86_64"), allow(unused_variables))]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use pellicle::math::{Element, Entry, Level, Real, Vec3, Work};
+use pellicle::num::{Lane, Level, Real, TableEntry, Vec3, Work};
 use pellicle::optics::schlick;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -22,7 +22,7 @@ type Columns<const N: usize> = [[f32; COUNT]; N];
 
 /// A BSDF's value, three channels.
 trait Formula {
-    fn value<T: Element<Scalar = f32>>(&self, wo: Vec3<T>, wi: Vec3<T>) -> [T; 3];
+    fn value<T: Lane<Scalar = f32>>(&self, wo: Vec3<T>, wi: Vec3<T>) -> [T; 3];
 }
 
 /// GGX at alpha = 0.3 with Smith's masking and Schlick's Fresnel factor: roots and quotients.
@@ -30,7 +30,7 @@ struct Microfacet;
 
 impl Formula for Microfacet {
     #[inline(always)]
-    fn value<T: Element<Scalar = f32>>(&self, wo: Vec3<T>, wi: Vec3<T>) -> [T; 3] {
+    fn value<T: Lane<Scalar = f32>>(&self, wo: Vec3<T>, wi: Vec3<T>) -> [T; 3] {
         let (factor, cosine) = facets(wo, wi);
         [
             factor * schlick(T::new(1.0), cosine),
@@ -41,11 +41,11 @@ impl Formula for Microfacet {
 }
 
 /// The same with the Fresnel factor from a table over the cosine: quadratic splines, as films have them.
-struct TableMicrofacet(Vec<Entry<f32>>);
+struct TableMicrofacet(Vec<TableEntry<f32>>);
 
 impl Formula for TableMicrofacet {
     #[inline(always)]
-    fn value<T: Element<Scalar = f32>>(&self, wo: Vec3<T>, wi: Vec3<T>) -> [T; 3] {
+    fn value<T: Lane<Scalar = f32>>(&self, wo: Vec3<T>, wi: Vec3<T>) -> [T; 3] {
         let (half, one) = (T::new(0.5), T::new(1.0));
         let (factor, cosine) = facets(wo, wi);
         let intervals = (self.0.len() - 2) as f64;
@@ -83,7 +83,7 @@ struct Layered;
 
 impl Formula for Layered {
     #[inline(always)]
-    fn value<T: Element<Scalar = f32>>(&self, wo: Vec3<T>, wi: Vec3<T>) -> [T; 3] {
+    fn value<T: Lane<Scalar = f32>>(&self, wo: Vec3<T>, wi: Vec3<T>) -> [T; 3] {
         let complement = wo.minus(wi.mirrored()).length_squared() * T::new(0.5);
         let lobes = [power(complement, 90.0), power(complement, 40.0)];
         [
@@ -113,7 +113,7 @@ fn interference<T: Real>(wi: Vec3<T>, lobes: [T; 2], eta: f64, wavelength_nm: f6
 /// A formula at all directions. Input and output are arguments of their own, so that the compiler knows
 /// them to be apart.
 #[inline(always)]
-fn evaluate<F: Formula, L: Element<Scalar = f32>>(f: &F, input: &Columns<6>, out: &mut Columns<3>) {
+fn evaluate<F: Formula, L: Lane<Scalar = f32>>(f: &F, input: &Columns<6>, out: &mut Columns<3>) {
     for from in (0..COUNT).step_by(L::COUNT) {
         let [wo, wi] = [vector::<L>(&input[..3], from), vector(&input[3..], from)];
         let [r, g, b] = f.value(wo, wi);
@@ -124,7 +124,7 @@ fn evaluate<F: Formula, L: Element<Scalar = f32>>(f: &F, input: &Columns<6>, out
 }
 
 #[inline(always)]
-fn vector<L: Element<Scalar = f32>>(columns: &[[f32; COUNT]], from: usize) -> Vec3<L> {
+fn vector<L: Lane<Scalar = f32>>(columns: &[[f32; COUNT]], from: usize) -> Vec3<L> {
     let x = L::load(&columns[0][from..from + L::COUNT]);
     let y = L::load(&columns[1][from..from + L::COUNT]);
     Vec3::new(x, y, L::load(&columns[2][from..from + L::COUNT]))
@@ -135,7 +135,7 @@ struct Lanes<'a, F>(&'a F, &'a Columns<6>, &'a mut Columns<3>);
 impl<F: Formula> Work<f32> for Lanes<'_, F> {
     type Output = ();
     #[inline(always)]
-    fn run<L: Element<Scalar = f32>>(self) {
+    fn run<L: Lane<Scalar = f32>>(self) {
         evaluate::<F, L>(self.0, self.1, self.2);
     }
 }
@@ -212,7 +212,7 @@ fn directions() -> Columns<6> {
 }
 
 fn bench(criterion: &mut Criterion) {
-    let entry = |i| Entry::new([1.0, 0.71, 0.29].map(|f0| schlick(f0, i as f32 / 32.0)));
+    let entry = |i| TableEntry::new([1.0, 0.71, 0.29].map(|f0| schlick(f0, i as f32 / 32.0)));
     let table = TableMicrofacet((0..34).map(entry).collect());
     bench_formula(criterion, "ggx", &Microfacet);
     bench_formula(criterion, "ggx, table", &table);

@@ -4,8 +4,8 @@
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec3;
+use pellicle::bsdf::{Values, models};
 use pellicle::film::{Film, FilmDescription};
-use pellicle::lobe::{Values, models};
 use pellicle::optics::Medium;
 use pellicle::{Bsdf, Description};
 use rand::{RngExt, SeedableRng};

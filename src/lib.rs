@@ -29,16 +29,15 @@
 //! # Layers
 //!
 //! A module uses only those to its left (a test keeps it so):
-//! `math -> optics -> film -> lobe -> bsdf -> batch -> capi`. A formula is written once, generic
-//! over [`math::Real`]: the `f64` instance is the oracle that tests compare the `f32` instance with.
+//! `num -> optics -> film -> bsdf -> batch -> capi`. A formula is written once, generic
+//! over [`num::Real`]: the `f64` instance is the oracle that tests compare the `f32` instance with.
 
 pub mod batch;
-mod bsdf;
+pub mod bsdf;
 pub mod capi;
 mod error;
 pub mod film;
-pub mod lobe;
-pub mod math;
+pub mod num;
 pub mod optics;
 
 pub use bsdf::{Bsdf, Description, Sample, Scalar};

@@ -10,7 +10,7 @@ use agreement::row::{Quantity, Row};
 use agreement::run::{Settings, run};
 use agreement::tally::{FLOOR, Tally, relative};
 use agreement::variants::variants;
-use pellicle::lobe::{ParamKind, models};
+use pellicle::bsdf::{ParamKind, models};
 
 #[test]
 fn single_precision_stays_within_its_bounds() {

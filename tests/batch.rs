@@ -8,8 +8,8 @@ mod common;
 use common::{Drawn, combinations, hemisphere, rng, uniforms};
 use glam::Vec3;
 use pellicle::batch::{ConstView, EvalArgs, SampleArgs, View, eval, sample};
-use pellicle::lobe::{Entry, ParamKind, models};
-use pellicle::math::Level;
+use pellicle::bsdf::{ParamKind, RegisteredModel, models};
+use pellicle::num::Level;
 use pellicle::{Bsdf, Description};
 use rand::{Rng, RngExt};
 
@@ -102,7 +102,7 @@ fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
 }
 
 /// Wherever one more parameter may vary, with its range.
-fn varied(entry: &Entry, drawn: &Drawn) -> Vec<(Description, Vec<[f32; 2]>)> {
+fn varied(entry: &RegisteredModel, drawn: &Drawn) -> Vec<(Description, Vec<[f32; 2]>)> {
     let mut all = vec![(drawn.description.clone(), vec![])];
     for (index, param) in entry.info.params.iter().enumerate() {
         if !param.can_vary {

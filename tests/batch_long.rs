@@ -11,7 +11,7 @@ use glam::Vec3;
 use pellicle::batch::{
     ConstView, EvalArgs, FilmArgs, SampleArgs, View, eval, film_reflectance, sample,
 };
-use pellicle::math::Level;
+use pellicle::num::Level;
 use pellicle::{Bsdf, Description};
 use rand::RngExt;
 

@@ -15,7 +15,7 @@ use pellicle::batch::{
     ConstView, EvalArgs, FilmArgs, SampleArgs, View, eval, film_reflectance, sample,
 };
 use pellicle::film::{Film, FilmDescription};
-use pellicle::math::Level;
+use pellicle::num::Level;
 use pellicle::{Bsdf, Description, Sample};
 use rand::RngExt;
 use strided::{Array, BROADCAST, LAYOUTS, Layout};

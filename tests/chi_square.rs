@@ -11,7 +11,7 @@ mod quadrature;
 
 use common::{defaults, degrees, is_dirac, rng, uniforms, visible};
 use glam::{DVec3, Vec3};
-use pellicle::lobe::{MAX_LOBES, models};
+use pellicle::bsdf::{MAX_LOBES, models};
 use pellicle::{Bsdf, Description};
 use quadrature::Patch;
 use statrs::distribution::{ChiSquared, ContinuousCDF};

@@ -1,9 +1,9 @@
 //! The single-precision elementary functions against the C library's in double precision.
 //!
-//! The bounds are those stated in `src/math/elementary.rs`. Every 97th float of each range is tried;
+//! The bounds are those stated in `src/num/elementary.rs`. Every 97th float of each range is tried;
 //! the step is prime to every power of two, so all mantissa bits are exercised.
 
-use pellicle::math::Real;
+use pellicle::num::Real;
 
 /// Distance in units in the last place of the true value.
 fn ulps(found: f32, truth: f64) -> f64 {

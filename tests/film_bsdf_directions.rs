@@ -11,8 +11,8 @@ use film_lobes::{
 };
 use glam::{DVec3, Vec3};
 use pellicle::Bsdf;
+use pellicle::bsdf::Flags;
 use pellicle::film::FilmDescription;
-use pellicle::lobe::Flags;
 use pellicle::optics::stack::Side;
 
 #[test]

@@ -1,7 +1,7 @@
 //! The limits of the film methods: no film, no contrast, no transmission, no coherence, no light.
 
 use pellicle::film::{Kind, MAX_THICKNESS_NM, Method, OneLayer};
-use pellicle::math::Rgb;
+use pellicle::num::Rgb;
 use pellicle::optics::stack::{Layer, Side, Stack};
 use pellicle::optics::{ColorSpace, Complex, Medium, RGB_WAVELENGTHS_NM, Reference, White};
 

@@ -6,7 +6,7 @@ use common::films::{bare, constant, medium, soap};
 use common::rng;
 use pellicle::Status;
 use pellicle::film::{Film, FilmDescription, LEAST_TOLERANCE};
-use pellicle::math::Rgb;
+use pellicle::num::Rgb;
 use pellicle::optics::stack::Side;
 use pellicle::optics::{ColorSpace, Medium, Reference, White};
 use rand::RngExt;

@@ -8,7 +8,7 @@ use common::films::{bare, constant, medium};
 use pellicle::Status;
 use pellicle::batch::{ConstView, FilmArgs, View, film_reflectance};
 use pellicle::film::{Film, FilmDescription};
-use pellicle::math::Level;
+use pellicle::num::Level;
 
 /// What src/film/plan.rs allows: 2^17 values of four numbers in single precision, 2 MiB.
 const MOST_BYTES: usize = 16 << 17;

@@ -8,7 +8,7 @@ mod common;
 use common::{Drawn, hemisphere, is_dirac, rng, rounded, uniforms, visible};
 use glam::{DVec3, Vec3};
 use pellicle::Bsdf;
-use pellicle::lobe::{Entry, Flags, ParamKind, models};
+use pellicle::bsdf::{Flags, ParamKind, RegisteredModel, models};
 use proptest::prelude::*;
 use rand::RngExt;
 
@@ -16,7 +16,10 @@ use rand::RngExt;
 const CASES: u64 = 400;
 
 /// Calls `law` with every model and seeds in a row, other ones for each law.
-fn for_every_model(number: u64, law: impl Fn(&'static Entry, u64) -> Result<(), TestCaseError>) {
+fn for_every_model(
+    number: u64,
+    law: impl Fn(&'static RegisteredModel, u64) -> Result<(), TestCaseError>,
+) {
     for entry in models() {
         for seed in number * 1000..number * 1000 + CASES {
             if let Err(error) = law(entry, seed) {
@@ -329,7 +332,7 @@ fn single_precision_follows_double() {
 #[test]
 fn registry_fits_the_interface() {
     for entry in models() {
-        assert!(entry.info.lobes.len() <= pellicle::lobe::MAX_LOBES);
+        assert!(entry.info.lobes.len() <= pellicle::bsdf::MAX_LOBES);
         if let Some(thickness) = entry.info.film_thickness {
             let param = &entry.info.params[thickness];
             assert_eq!((param.name(), param.unit), ("thickness_nm", c"nm"));

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ORDER: [&str; 7] = ["math", "optics", "film", "lobe", "bsdf", "batch", "capi"];
+const ORDER: [&str; 6] = ["num", "optics", "film", "bsdf", "batch", "capi"];
 
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder)

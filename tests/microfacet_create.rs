@@ -3,8 +3,8 @@
 mod common;
 
 use common::films::{Kind, compiled, constant};
+use pellicle::bsdf::Flags;
 use pellicle::film::FilmDescription;
-use pellicle::lobe::Flags;
 use pellicle::{Bsdf, Description, Status};
 
 fn microfacet() -> Description {

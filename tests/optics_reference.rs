@@ -1,7 +1,7 @@
 //! The reference against closed forms and brute force: what every method of the library is later
 //! measured with must itself be right, above all where the spectrum is finer than any fixed step.
 
-use pellicle::math::Rgb;
+use pellicle::num::Rgb;
 use pellicle::optics::stack::{Layer, Side, Stack};
 use pellicle::optics::{
     ChannelWeights, ColorSpace, Medium, Reference, TOLERANCE, VISIBLE_NM, White,

@@ -2,7 +2,7 @@
 //!
 //! `PELLICLE_RENEW=1 cargo test --test readme` rewrites it.
 
-use pellicle::lobe::{Entry, Exception, ParamInfo, ParamKind, models};
+use pellicle::bsdf::{Exception, ParamInfo, ParamKind, RegisteredModel, models};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -26,7 +26,7 @@ fn range(param: &ParamInfo) -> (String, String) {
     }
 }
 
-fn section(entry: &Entry) -> String {
+fn section(entry: &RegisteredModel) -> String {
     let info = entry.info;
     let text = |text: &std::ffi::CStr| text.to_str().unwrap().to_owned();
     let mut out = format!("### `{}`\n\n", entry.name());

@@ -4,7 +4,7 @@ use crate::agreement::bounds::Between;
 use crate::agreement::row::{HORIZON, Quantity, Row};
 use crate::agreement::run::Settings;
 use crate::agreement::tally::FLOOR;
-use pellicle::math::Level;
+use pellicle::num::Level;
 
 /// The part of all errors that the second number of a cell is not exceeded by.
 const PART: f64 = 0.9999;

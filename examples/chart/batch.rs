@@ -6,7 +6,7 @@ use crate::suite::Point;
 use pellicle::Error;
 use pellicle::batch::{ConstView, FilmArgs, View, film_reflectance};
 use pellicle::film::Film;
-use pellicle::math::Level;
+use pellicle::num::Level;
 
 /// Fills `colors` with the film's reflectance at as many points.
 pub fn evaluate(

@@ -7,7 +7,7 @@ use crate::marker::{Area, Failure, draw_level, level_title};
 use crate::panel::Panel;
 use crate::suite::{RANGES, Range};
 use crate::text::{INK, style, width};
-use pellicle::math::Level;
+use pellicle::num::Level;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 

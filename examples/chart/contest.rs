@@ -5,7 +5,7 @@ use crate::errors::Errors;
 use crate::suite::{Point, RANGES, Range, Stack, points};
 use crate::{parallel, timing};
 use pellicle::Error;
-use pellicle::math::Level;
+use pellicle::num::Level;
 
 /// Points per stack and range that errors are counted at.
 pub const POINTS: usize = 1000;

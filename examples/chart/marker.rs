@@ -1,7 +1,7 @@
 //! A shape and a colour for each family: the shape alone must do in grey print.
 
 use crate::entry::Family;
-use pellicle::math::Level;
+use pellicle::num::Level;
 use plotters::prelude::*;
 
 /// Where everything is drawn.

@@ -8,7 +8,7 @@ use crate::labels::{Rect, Tag, along, place};
 use crate::marker::{Area, Failure, RADIUS, draw_level};
 use crate::text::{INK, style, width};
 use pellicle::film::Kind;
-use pellicle::math::Level;
+use pellicle::num::Level;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 

@@ -4,7 +4,7 @@ use crate::contest::{Cell, POINTS, Summary, constant, shared, summaries};
 use crate::entry::{BASELINE, Entry, PlanNote};
 use crate::suite::{RANGES, Range};
 use crate::timing::REPETITIONS;
-use pellicle::math::Level;
+use pellicle::num::Level;
 use pellicle::optics::TOLERANCE as REFERENCE;
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -3,7 +3,7 @@
 use crate::batch;
 use crate::entry::Compiled;
 use crate::suite::Point;
-use pellicle::math::Level;
+use pellicle::num::Level;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 

@@ -5,7 +5,7 @@ use super::varying::{MAX_FLOATS, VaryingViews, with_room};
 use super::view::{ConstView, View};
 use crate::bsdf::{Bsdf, Found, Given};
 use crate::error::Error;
-use crate::math::Level;
+use crate::num::Level;
 use std::mem::MaybeUninit;
 
 /// Fewer elements are faster one by one.

@@ -1,7 +1,7 @@
 //! Elements of strided arrays by component: where they lie, if they lie side by side, else in copies.
 
 use super::view::{ConstView, View};
-use crate::lobe::LANES;
+use crate::bsdf::LANES;
 use std::mem::MaybeUninit;
 
 /// The most elements that are worked on at once: their numbers stay in the nearest cache.

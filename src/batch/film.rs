@@ -5,7 +5,7 @@ use super::column::{Chunk, Column, is_apart};
 use super::view::{ConstView, View};
 use crate::error::Error;
 use crate::film::Film;
-use crate::math::Level;
+use crate::num::Level;
 
 /// Arguments of [`film_reflectance`].
 #[derive(Clone, Copy, Debug)]

@@ -1,11 +1,11 @@
 //! What to create, and the checks that turn it into validated values.
 
 use super::Scalar;
-use super::film::check_film;
+use super::film_rules::check_film;
 use super::varying::{Range, upward};
+use crate::bsdf::{Bounds, ModelInfo, ParamInfo, ParamKind, RegisteredModel, Values};
 use crate::error::Error;
 use crate::film::Film;
-use crate::lobe::{Bounds, Entry, ModelInfo, ParamInfo, ParamKind, Values};
 use std::fmt;
 use std::sync::Arc;
 
@@ -83,7 +83,7 @@ impl Description {
     }
 
     /// Checks everything there is to check.
-    pub(super) fn resolve(&self, entry: &Entry) -> Result<Resolved, Error> {
+    pub(super) fn resolve(&self, entry: &RegisteredModel) -> Result<Resolved, Error> {
         let info = entry.info;
         let mut resolved = Resolved {
             values: Values::defaults(info),

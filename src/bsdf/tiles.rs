@@ -1,11 +1,11 @@
 //! Many calls at once, in single precision: what a batch is made of.
 
 use super::{Bsdf, MAX_VARYING};
-use crate::lobe::{EvalTile, MAX_LOBES, SampleTile, Varied, Vectors, VectorsMut};
-use crate::math::Level;
+use crate::bsdf::{EvalTile, MAX_LOBES, SampleTile, Varied, Vectors, VectorsMut};
+use crate::num::Level;
 use glam::Vec3;
 
-/// What is given for a tile of elements: slices of equal length, a multiple of [`crate::lobe::LANES`].
+/// What is given for a tile of elements: slices of equal length, a multiple of [`crate::bsdf::LANES`].
 #[derive(Clone, Copy)]
 pub(crate) struct Given<'a> {
     pub wo: Vectors<'a>,

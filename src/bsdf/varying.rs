@@ -1,8 +1,8 @@
 //! Parameters given per call: from a flat list of numbers to overrides, clamped and checked.
 
 use super::Scalar;
-use crate::lobe::{ModelInfo, Override, ParamKind, Values, Varied};
-use crate::math::{Real, Vec3};
+use crate::bsdf::{ModelInfo, Override, ParamKind, Values, Varied};
+use crate::num::{Real, Vec3};
 
 /// More than any model's parameters; so that what varies fits on the stack.
 pub(crate) const MAX_VARYING: usize = 16;

@@ -9,7 +9,7 @@ use super::{bsdf, film};
 use crate::batch::{self, ConstView, EvalArgs, FilmArgs, SampleArgs, View};
 use crate::bsdf::MAX_VARYING;
 use crate::error::Error;
-use crate::math::Level;
+use crate::num::Level;
 use libc::size_t;
 
 /// pellicle_bsdf_eval() for every element of strided arrays, equal to it bit for bit. `value` or

@@ -10,7 +10,7 @@ use super::types::{
 };
 use crate::bsdf::{Bsdf, Description};
 use crate::error::Error;
-use crate::math::Level;
+use crate::num::Level;
 use libc::size_t;
 use std::sync::Arc;
 

@@ -11,7 +11,7 @@ use super::types::{
 };
 use crate::error::Error;
 use crate::film::Film;
-use crate::math::Level;
+use crate::num::Level;
 use crate::optics::stack::Side;
 use libc::size_t;
 use std::sync::Arc;

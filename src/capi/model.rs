@@ -5,8 +5,8 @@ use super::boundary::{check_output, guard, write_growing};
 use super::types::{
     PELLICLE_KIND_CHOICE, PELLICLE_KIND_DIRECTION, PELLICLE_KIND_NUMBER, PellicleStatus,
 };
+use crate::bsdf::{Exception, ParamInfo, ParamKind, RegisteredModel, Values, models};
 use crate::error::Error;
-use crate::lobe::{Entry, Exception, ParamInfo, ParamKind, Values, models};
 use libc::size_t;
 use std::ptr::null;
 
@@ -80,7 +80,7 @@ pub unsafe extern "C" fn pellicle_model_param(
     })
 }
 
-fn numbered_model(model: usize) -> Result<&'static Entry, Error> {
+fn numbered_model(model: usize) -> Result<&'static RegisteredModel, Error> {
     models().get(model).ok_or_else(|| {
         Error::out_of_range(format!(
             "model = {model} is outside [0, {}]",

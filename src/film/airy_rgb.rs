@@ -2,7 +2,7 @@
 
 use super::layer::{Line, pack_lines};
 use super::{Method, OneLayer, held};
-use crate::math::{Element, Rgb};
+use crate::num::{Lane, Rgb};
 use crate::optics::RGB_WAVELENGTHS_NM;
 
 /// The exact reflectance (Airy 1833) at 645, 525 and 445 nm, taken for red, green and blue, as in
@@ -15,11 +15,11 @@ use crate::optics::RGB_WAVELENGTHS_NM;
 /// and alias. Three wavelengths are also no observer: the primaries' overlap is missing, so that
 /// thin films are somewhat too saturated.
 #[derive(Clone, Copy, Debug)]
-pub struct AiryRgb<T: Element> {
+pub struct AiryRgb<T: Lane> {
     line: Line<T::Rgb>,
 }
 
-impl<T: Element> AiryRgb<T> {
+impl<T: Lane> AiryRgb<T> {
     /// For a film; its white and colour space are not used.
     pub fn new(layer: &OneLayer) -> Self {
         let lines = RGB_WAVELENGTHS_NM.map(|nm| Line::at(layer, nm));
@@ -29,7 +29,7 @@ impl<T: Element> AiryRgb<T> {
     }
 }
 
-impl<T: Element> Method<T> for AiryRgb<T> {
+impl<T: Lane> Method<T> for AiryRgb<T> {
     fn reflectance(&self, cos_theta: T, thickness_nm: T) -> Rgb<T> {
         let (cos_theta, thickness_nm) = held(cos_theta, thickness_nm);
         let waves = self.line.waves(cos_theta);

@@ -1,7 +1,7 @@
 //! The coordinates of a table: where the reflectance of a film is smooth, and cheap to find.
 
 use super::table::Lanes;
-use crate::math::Element;
+use crate::num::Lane;
 
 /// Maps (cosine, thickness) to the unit square. With d the thickness above its least value:
 ///
@@ -161,14 +161,14 @@ impl Coordinates {
 
 /// One of the numbers, everywhere.
 #[inline(always)]
-fn number<L: Element<Scalar = f32>>(lanes: &Lanes, axis: usize) -> L {
+fn number<L: Lane<Scalar = f32>>(lanes: &Lanes, axis: usize) -> L {
     L::splat(f32::channels(*lanes)[axis])
 }
 
 impl Linear {
     /// Of one axis.
     #[inline(always)]
-    fn lanes<L: Element<Scalar = f32>>(&self, axis: usize, d: L) -> L {
+    fn lanes<L: Lane<Scalar = f32>>(&self, axis: usize, d: L) -> L {
         number::<L>(&self.slope, axis) * d + number(&self.constant, axis)
     }
 }
@@ -176,7 +176,7 @@ impl Linear {
 impl Coordinates {
     /// [`Coordinates::at`] of as many as there are.
     #[inline(always)]
-    pub(super) fn lanes<L: Element<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2] {
+    pub(super) fn lanes<L: Lane<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2] {
         [
             self.coordinate(0, cos_theta, thickness_nm),
             self.coordinate(1, cos_theta, thickness_nm),
@@ -184,12 +184,7 @@ impl Coordinates {
     }
 
     #[inline(always)]
-    fn coordinate<L: Element<Scalar = f32>>(
-        &self,
-        axis: usize,
-        cos_theta: L,
-        thickness_nm: L,
-    ) -> L {
+    fn coordinate<L: Lane<Scalar = f32>>(&self, axis: usize, cos_theta: L, thickness_nm: L) -> L {
         let d = thickness_nm - L::splat(self.from);
         let square = cos_theta * cos_theta;
         let [constant, first, second, fourth] = &self.cosine;

@@ -4,7 +4,7 @@ use super::layer::{Line, Waves, pack, pack_complex, pack_lines, phasor};
 use super::quadrature::totals;
 use super::{Method, OneLayer, check_size, held};
 use crate::error::Error;
-use crate::math::{Element, Mask, PI, Real, Rgb, angle_turns};
+use crate::num::{Lane, Mask, PI, Real, Rgb, angle_turns};
 use crate::optics::stack::{P, S};
 use crate::optics::{ChannelWeights, Complex, VISIBLE_NM};
 
@@ -54,7 +54,7 @@ const FAINT: f64 = 1e-6;
 /// at thickness 0 this is the bare base. The same holds in an evanescent film, and in absorbing ones
 /// where |g| is near 1 or, with surface waves, beyond.
 #[derive(Clone, Debug)]
-pub struct Bands<T: Element> {
+pub struct Bands<T: Lane> {
     bands: Box<[Group<T::Rgb>]>,
     is_constant: bool,
 }
@@ -93,7 +93,7 @@ struct Span<R> {
     edge: Complex<R>,
 }
 
-impl<T: Element> Bands<T> {
+impl<T: Lane> Bands<T> {
     /// For a film, with 1 to 256 bands.
     pub fn new(layer: &OneLayer, count: usize) -> Result<Self, Error> {
         check_size("bands", count, MAX_BANDS)?;
@@ -149,7 +149,7 @@ fn share(weights: &ChannelWeights, start: f64, width: f64) -> Rgb<f64> {
     sums
 }
 
-impl<T: Element> Method<T> for Bands<T> {
+impl<T: Lane> Method<T> for Bands<T> {
     fn reflectance(&self, cos_theta: T, thickness_nm: T) -> Rgb<T> {
         let (cos_theta, thickness_nm) = held(cos_theta, thickness_nm);
         let zero = T::Rgb::new(0.0);

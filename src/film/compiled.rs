@@ -4,7 +4,7 @@ use super::FilmDescription;
 use super::plan::{Plan, plan};
 use super::table::{Curve, Lanes, Table};
 use crate::error::{Error, Status};
-use crate::math::{Element, Real, Rgb, each};
+use crate::num::{Lane, Real, Rgb, each};
 use crate::optics::stack::Side;
 use crate::optics::{Medium, Reference};
 
@@ -134,7 +134,7 @@ impl Film {
 
     /// [`Film::reflectance`] of as many as there are.
     #[inline(always)]
-    pub(crate) fn reflectance_lanes<L: Element<Scalar = f32>>(
+    pub(crate) fn reflectance_lanes<L: Lane<Scalar = f32>>(
         &self,
         cos_theta: L,
         thickness_nm: L,
@@ -151,7 +151,7 @@ impl Film {
 
     /// The arguments within their ranges, which a NaN is too.
     #[inline(always)]
-    pub(super) fn held_lanes<L: Element<Scalar = f32>>(
+    pub(super) fn held_lanes<L: Lane<Scalar = f32>>(
         &self,
         cos_theta: L,
         thickness_nm: L,
@@ -164,7 +164,7 @@ impl Film {
     }
 
     #[inline(always)]
-    pub(super) fn finished_lanes<L: Element<Scalar = f32>>(
+    pub(super) fn finished_lanes<L: Lane<Scalar = f32>>(
         &self,
         is_number: L::Mask,
         rgb: Rgb<L>,
@@ -180,7 +180,7 @@ impl Film {
     }
 
     #[inline(always)]
-    fn untabulated_lanes<L: Element<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> Rgb<L> {
+    fn untabulated_lanes<L: Lane<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> Rgb<L> {
         const MOST: usize = 16;
         let mut given = [[0.0; MOST]; 2];
         cos_theta.store(&mut given[0][..L::COUNT]);

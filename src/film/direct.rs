@@ -6,7 +6,7 @@ use super::points::critical_angles;
 use super::series::Series;
 use super::{Kind, Method, OneLayer};
 use crate::error::Error;
-use crate::math::Rgb;
+use crate::num::Rgb;
 use crate::optics::stack::Side;
 use crate::optics::{dielectric_reflectance, schlick};
 

@@ -6,8 +6,8 @@ mod shape;
 use super::axes::Axes;
 use super::table::{Curve, Table, reserve};
 use crate::error::Error;
-use crate::math::Rgb;
-use crate::math::spline::LEAST_VALUES;
+use crate::num::Rgb;
+use crate::num::spline::LEAST_VALUES;
 pub(super) use errors::Errors;
 
 /// Colours at a cosine and a thickness, exact beside the tolerance. Calls at the same cosine one after

@@ -3,7 +3,7 @@
 use super::layer::{Line, pack, pack_lines, phasor};
 use super::{Method, Number, OneLayer, check_size, held};
 use crate::error::Error;
-use crate::math::{Element, Mask, PI, Real, Rgb};
+use crate::num::{Lane, Mask, PI, Real, Rgb};
 use crate::optics::stack::{P, S};
 use crate::optics::{
     ChannelWeights, ColorSpace, Complex, RGB_WAVELENGTHS_NM, VISIBLE_NM, matching_functions,
@@ -59,7 +59,7 @@ pub enum Sensitivity {
 /// oscillate, one that equals a neighbour (the bare base), and absorbing films with |g| near 1 or
 /// |C(1)| above 1 / pi (metals).
 #[derive(Clone, Debug)]
-pub struct Harmonics<T: Element> {
+pub struct Harmonics<T: Lane> {
     line: Line<T::Rgb>,
     order: usize,
     transform: Transform<T>,
@@ -67,7 +67,7 @@ pub struct Harmonics<T: Element> {
 
 /// The transform of the channels' sensitivities.
 #[derive(Clone, Debug)]
-enum Transform<T: Element> {
+enum Transform<T: Lane> {
     Gaussian([Gaussian<T::Rgb>; 4]),
     /// Per path difference the three channels, demodulated by `CARRIER`.
     Table(Box<[Rgb<Complex<T>>]>),

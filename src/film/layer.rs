@@ -5,7 +5,7 @@
 //! everything that depends on the media alone taken out of the evaluation.
 
 use super::OneLayer;
-use crate::math::{Element, Mask, Real};
+use crate::num::{Lane, Mask, Real};
 use crate::optics::Complex;
 use crate::optics::stack::{Crossing, P, S, round_trip_loss};
 
@@ -103,12 +103,12 @@ impl Line<f64> {
 }
 
 /// Three numbers side by side.
-pub(super) fn pack<T: Element>(numbers: [f64; 3]) -> T::Rgb {
+pub(super) fn pack<T: Lane>(numbers: [f64; 3]) -> T::Rgb {
     T::rgb(numbers.map(T::new))
 }
 
 /// Three complex numbers side by side.
-pub(super) fn pack_complex<T: Element>(numbers: [Complex<f64>; 3]) -> Complex<T::Rgb> {
+pub(super) fn pack_complex<T: Lane>(numbers: [Complex<f64>; 3]) -> Complex<T::Rgb> {
     Complex::new(
         pack::<T>(numbers.map(|z| z.re)),
         pack::<T>(numbers.map(|z| z.im)),
@@ -116,7 +116,7 @@ pub(super) fn pack_complex<T: Element>(numbers: [Complex<f64>; 3]) -> Complex<T:
 }
 
 /// Three wavelengths side by side.
-pub(super) fn pack_lines<T: Element>(lines: [Line<f64>; 3]) -> Line<T::Rgb> {
+pub(super) fn pack_lines<T: Lane>(lines: [Line<f64>; 3]) -> Line<T::Rgb> {
     let seen = |seen: [Seen<f64>; 3]| Seen {
         excess: pack_complex::<T>(seen.map(|s| s.excess)),
         permittivity: pack_complex::<T>(seen.map(|s| s.permittivity)),

@@ -40,7 +40,7 @@ pub use quadrature::Quadrature;
 pub use two_beam::TwoBeam;
 
 use crate::error::Error;
-use crate::math::{Element, Rgb};
+use crate::num::{Lane, Rgb};
 use crate::optics::{ColorSpace, Medium, White};
 
 /// The greatest thickness of a film, nm: ten centimetres.
@@ -84,7 +84,7 @@ impl OneLayer {
 }
 
 /// Numbers that methods are evaluated in: f32, and f64 as the oracle.
-pub trait Number: Element {
+pub trait Number: Lane {
     /// The whole number at or below a number in [0, 2^24].
     fn floor_to_index(self) -> usize;
 }
@@ -104,7 +104,7 @@ impl Number for f64 {
 }
 
 /// A compiled method.
-pub trait Method<T: Element>: Send + Sync {
+pub trait Method<T: Lane>: Send + Sync {
     /// Reflectance of unpolarised light per channel, linear and not clipped, at the cosine of
     /// incidence in the ambient medium and a thickness (nm). Both are held in their ranges.
     fn reflectance(&self, cos_theta: T, thickness_nm: T) -> Rgb<T>;
@@ -190,7 +190,7 @@ impl Kind {
 
 /// Cosine and thickness within their ranges, in every channel.
 #[inline(always)]
-fn held<T: Element>(cos_theta: T, thickness_nm: T) -> (T::Rgb, T::Rgb) {
+fn held<T: Lane>(cos_theta: T, thickness_nm: T) -> (T::Rgb, T::Rgb) {
     let hold = |x: T, greatest: f64| x.max(T::new(0.0)).min(T::new(greatest)).gray();
     (hold(cos_theta, 1.0), hold(thickness_nm, MAX_THICKNESS_NM))
 }

@@ -10,7 +10,7 @@ use super::series::Series;
 use super::sheets::{Sheet, Sheets};
 use super::{FilmDescription, Kind, OneLayer};
 use crate::error::Error;
-use crate::math::Rgb;
+use crate::num::Rgb;
 use crate::optics::Reference;
 use crate::optics::stack::Side;
 use std::cell::OnceCell;

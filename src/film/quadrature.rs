@@ -3,7 +3,7 @@
 use super::layer::{Line, pack, pack_lines};
 use super::{Method, OneLayer, check_size, held};
 use crate::error::Error;
-use crate::math::{Element, PI, Real, Rgb};
+use crate::num::{Lane, PI, Real, Rgb};
 use crate::optics::{ChannelWeights, VISIBLE_NM};
 
 /// The greatest number of wavelengths.
@@ -37,7 +37,7 @@ const LEFT_OUT: f64 = 0.25;
 /// about N times 900 nm less 4 micrometres the colours alias. Grazing soap films, whose resonances
 /// are narrow (harmonics of the path), need more nodes than their fringes suggest.
 #[derive(Clone, Debug)]
-pub struct Quadrature<T: Element> {
+pub struct Quadrature<T: Lane> {
     nodes: Box<[Nodes<T::Rgb>]>,
 }
 
@@ -48,7 +48,7 @@ struct Nodes<R> {
     weights: [R; 3],
 }
 
-impl<T: Element> Quadrature<T> {
+impl<T: Lane> Quadrature<T> {
     /// For a film, with 1 to 64 wavelengths.
     pub fn new(layer: &OneLayer, count: usize) -> Result<Self, Error> {
         check_size("wavelengths", count, MAX_NODES)?;
@@ -70,7 +70,7 @@ impl<T: Element> Quadrature<T> {
     }
 }
 
-impl<T: Element> Method<T> for Quadrature<T> {
+impl<T: Lane> Method<T> for Quadrature<T> {
     fn reflectance(&self, cos_theta: T, thickness_nm: T) -> Rgb<T> {
         let (cos_theta, thickness_nm) = held(cos_theta, thickness_nm);
         let mut sums = [T::Rgb::new(0.0); 3];
@@ -87,7 +87,7 @@ impl<T: Element> Method<T> for Quadrature<T> {
 
 /// The sum of the three lanes of each channel.
 #[inline(always)]
-pub(super) fn totals<T: Element>(sums: [T::Rgb; 3]) -> Rgb<T> {
+pub(super) fn totals<T: Lane>(sums: [T::Rgb; 3]) -> Rgb<T> {
     sums.map(|sum| {
         let [a, b, c] = T::channels(sum);
         a + b + c

@@ -8,7 +8,7 @@ pub(super) use column::Column;
 use super::FilmDescription;
 use super::quadrature::equidistant;
 use crate::error::Error;
-use crate::math::{Doubles, Rgb, widest};
+use crate::num::{F64x4, Rgb, widest};
 use crate::optics::stack::{Incidence, S, Side};
 use crate::optics::{ChannelWeights, Complex};
 use column::{Block, Order, Sum};
@@ -59,7 +59,7 @@ pub(super) struct Powers {
 pub(super) struct Series {
     nodes: Vec<Nodes>,
     /// Indices per entry of `nodes`: ambient, layers, base.
-    indices: Vec<Complex<Doubles>>,
+    indices: Vec<Complex<F64x4>>,
     /// How many wavenumbers, and their distance.
     count: usize,
     spacing: f64,
@@ -78,8 +78,8 @@ pub(super) struct Series {
 /// Some wavenumbers, and their weights in the channels; 0 for those that only fill a place.
 #[derive(Clone, Copy, Debug)]
 struct Nodes {
-    sigma: Doubles,
-    weights: [Doubles; 3],
+    sigma: F64x4,
+    weights: [F64x4; 3],
 }
 
 impl Series {
@@ -93,22 +93,21 @@ impl Series {
             .chain(layers.iter().map(|layer| &layer.medium))
             .chain(std::iter::once(&description.base))
             .collect();
-        let parts = rule.len().div_ceil(Doubles::COUNT);
+        let parts = rule.len().div_ceil(F64x4::COUNT);
         let mut indices = Error::reserve(parts * media.len(), "a film's series")?;
-        let filled = rule.chunks(Doubles::COUNT).map(|rule| {
+        let filled = rule.chunks(F64x4::COUNT).map(|rule| {
             let at = |i: usize| rule[i.min(rule.len() - 1)];
             for medium in &media {
-                let index: [_; Doubles::COUNT] =
-                    std::array::from_fn(|i| medium.index(1.0 / at(i).0));
+                let index: [_; F64x4::COUNT] = std::array::from_fn(|i| medium.index(1.0 / at(i).0));
                 indices.push(Complex::new(
-                    Doubles::from_fn(|i| index[i].re),
-                    Doubles::from_fn(|i| index[i].im),
+                    F64x4::from_fn(|i| index[i].re),
+                    F64x4::from_fn(|i| index[i].im),
                 ));
             }
             let weight = |c: usize, i: usize| rule.get(i).map_or(0.0, |node| node.1[c]);
             Nodes {
-                sigma: Doubles::from_fn(|i| at(i).0),
-                weights: std::array::from_fn(|c| Doubles::from_fn(|i| weight(c, i))),
+                sigma: F64x4::from_fn(|i| at(i).0),
+                weights: std::array::from_fn(|c| F64x4::from_fn(|i| weight(c, i))),
             }
         });
         let mut nodes = Error::reserve(parts, "a film's series")?;
@@ -212,7 +211,7 @@ impl Series {
             Side::Base => self.ranges.len() + 1,
         };
         let round = |node: usize| {
-            let (part, lane) = (node / Doubles::COUNT, node % Doubles::COUNT);
+            let (part, lane) = (node / F64x4::COUNT, node % F64x4::COUNT);
             let index = |medium: usize| {
                 let index = self.indices[part * (self.ranges.len() + 2) + medium];
                 Complex::new(index.re.to_array()[lane], index.im.to_array()[lane])

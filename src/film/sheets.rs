@@ -6,7 +6,7 @@ use super::fit::{self, Errors, Limits, Task};
 use super::series::{Column, Powers, Series};
 use super::table::{Curve, Table};
 use crate::error::Error;
-use crate::math::{Element, Rgb};
+use crate::num::{Lane, Rgb};
 use crate::optics::stack::Side;
 
 /// The wavelength whose indices decide where total reflection begins and which way fringes lean, nm:

@@ -2,14 +2,14 @@
 
 use super::axes::{Axes, Coordinates};
 use crate::error::Error;
-use crate::math::spline::{controls, weights};
-use crate::math::{Block, Element, Entry, Rgb, load_block, weighted};
+use crate::num::spline::{controls, weights};
+use crate::num::{Lane, Rgb, TableBlock, TableEntry, load_block, weighted};
 
 /// Three channels in one register.
-pub(super) type Lanes = <f32 as Element>::Rgb;
+pub(super) type Lanes = <f32 as Lane>::Rgb;
 
 /// A control point.
-type Control = Entry<f32>;
+type Control = TableEntry<f32>;
 
 /// Adding it rounds a number in [0, 2^22] to a whole one, which is then in the lowest bits.
 const WHOLE: f32 = 8_388_608.0;
@@ -36,7 +36,7 @@ pub(super) struct Table {
 
 impl Curve {
     /// Through values at equal steps of the first coordinate, at least
-    /// [`LEAST_VALUES`](crate::math::spline::LEAST_VALUES).
+    /// [`LEAST_VALUES`](crate::num::spline::LEAST_VALUES).
     pub(super) fn new(axes: &Axes, values: &[Rgb<f64>]) -> Result<Self, Error> {
         let mut fitted = reserve(values.len() + 2)?;
         controls(values, &mut fitted);
@@ -61,20 +61,20 @@ impl Curve {
 
     /// [`Curve::at`] of as many as there are.
     #[inline(always)]
-    pub(super) fn lanes<L: Element<Scalar = f32>>(&self, cos_theta: L) -> L::Rgb {
+    pub(super) fn lanes<L: Lane<Scalar = f32>>(&self, cos_theta: L) -> L::Rgb {
         self.around(self.position(cos_theta))
     }
 
     /// Steps along the cosine, and 0.
     #[inline(always)]
-    pub(super) fn position<L: Element<Scalar = f32>>(&self, cos_theta: L) -> [L; 2] {
+    pub(super) fn position<L: Lane<Scalar = f32>>(&self, cos_theta: L) -> [L; 2] {
         let [position, _] = self.coordinates.lanes(cos_theta, L::new(0.0));
         [position, L::new(0.0)]
     }
 
     /// The colours at what [`Curve::position`] found.
     #[inline(always)]
-    pub(super) fn around<L: Element<Scalar = f32>>(&self, [position, _]: [L; 2]) -> L::Rgb {
+    pub(super) fn around<L: Lane<Scalar = f32>>(&self, [position, _]: [L; 2]) -> L::Rgb {
         let first = position.round();
         L::weighted_row(&self.points, first, weights(position - first))
     }
@@ -91,7 +91,7 @@ impl Curve {
 
 impl Table {
     /// Through values at equal steps of both coordinates, rows of equal y, `width` to a row; at least
-    /// [`LEAST_VALUES`](crate::math::spline::LEAST_VALUES) either way.
+    /// [`LEAST_VALUES`](crate::num::spline::LEAST_VALUES) either way.
     pub(super) fn new(axes: &Axes, values: &[Rgb<f64>], width: usize) -> Result<Self, Error> {
         let height = values.len() / width;
         let row = width + 2;
@@ -137,29 +137,25 @@ impl Table {
 
     /// [`Table::at`] of as many as there are.
     #[inline(always)]
-    pub(super) fn lanes<L: Element<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> L::Rgb {
+    pub(super) fn lanes<L: Lane<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> L::Rgb {
         self.around(self.position(cos_theta, thickness_nm))
     }
 
     /// Steps along the cosine and the thickness.
     #[inline(always)]
-    pub(super) fn position<L: Element<Scalar = f32>>(
-        &self,
-        cos_theta: L,
-        thickness_nm: L,
-    ) -> [L; 2] {
+    pub(super) fn position<L: Lane<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2] {
         self.coordinates.lanes(cos_theta, thickness_nm)
     }
 
     /// The colours at what [`Table::position`] found.
     #[inline(always)]
-    pub(super) fn around<L: Element<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb {
+    pub(super) fn around<L: Lane<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb {
         let first = [position[0].round(), position[1].round()];
         let [across, along] = [
             weights(position[0] - first[0]),
             weights(position[1] - first[1]),
         ];
-        let block = Block {
+        let block = TableBlock {
             first,
             across,
             along,

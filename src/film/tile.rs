@@ -2,7 +2,7 @@
 
 use super::compiled::{Compiled, Film};
 use super::table::{Curve, Table};
-use crate::math::{Element, Level, Work};
+use crate::num::{Lane, Level, Work};
 
 /// Elements between whose stages positions wait in the processor's first cache.
 const BLOCK: usize = 256;
@@ -10,29 +10,29 @@ const BLOCK: usize = 256;
 /// What is looked up, in two stages.
 trait Tabulated {
     /// Steps along the table's axes for arguments within their ranges.
-    fn position<L: Element<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2];
+    fn position<L: Lane<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2];
     /// The colours there.
-    fn around<L: Element<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb;
+    fn around<L: Lane<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb;
 }
 
 impl Tabulated for Table {
     #[inline(always)]
-    fn position<L: Element<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2] {
+    fn position<L: Lane<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2] {
         self.position(cos_theta, thickness_nm)
     }
     #[inline(always)]
-    fn around<L: Element<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb {
+    fn around<L: Lane<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb {
         self.around(position)
     }
 }
 
 impl Tabulated for Curve {
     #[inline(always)]
-    fn position<L: Element<Scalar = f32>>(&self, cos_theta: L, _thickness_nm: L) -> [L; 2] {
+    fn position<L: Lane<Scalar = f32>>(&self, cos_theta: L, _thickness_nm: L) -> [L; 2] {
         self.position(cos_theta)
     }
     #[inline(always)]
-    fn around<L: Element<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb {
+    fn around<L: Lane<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb {
         self.around(position)
     }
 }
@@ -54,7 +54,7 @@ impl<T: Tabulated> Work<f32> for Tile<'_, T> {
     type Output = ();
 
     #[inline(always)]
-    fn run<L: Element<Scalar = f32>>(self) {
+    fn run<L: Lane<Scalar = f32>>(self) {
         let [r, g, b] = self.reflectance;
         let arguments = self
             .cos_theta
@@ -87,7 +87,7 @@ impl<T: Tabulated> Work<f32> for Tile<'_, T> {
 
 /// The positions of a block.
 #[inline(always)]
-fn find_positions<L: Element<Scalar = f32>, T: Tabulated>(
+fn find_positions<L: Lane<Scalar = f32>, T: Tabulated>(
     film: &Film,
     tabulated: &T,
     cos_theta: &[f32],
@@ -110,7 +110,7 @@ fn find_positions<L: Element<Scalar = f32>, T: Tabulated>(
 
 /// The colours of a block.
 #[inline(always)]
-fn look_up<L: Element<Scalar = f32>, T: Tabulated>(
+fn look_up<L: Lane<Scalar = f32>, T: Tabulated>(
     film: &Film,
     tabulated: &T,
     cos_theta: &[f32],

@@ -2,7 +2,7 @@
 
 use super::layer::{Line, pack_lines, phasor};
 use super::{Method, OneLayer, held};
-use crate::math::{Element, Real, Rgb};
+use crate::num::{Lane, Real, Rgb};
 use crate::optics::RGB_WAVELENGTHS_NM;
 use crate::optics::stack::{P, S};
 
@@ -26,11 +26,11 @@ use crate::optics::stack::{P, S};
 /// (r01 + r12) / (1 + r01 r12)); it does if the film equals a neighbour. Three wavelengths alias
 /// like [`AiryRgb`](super::AiryRgb).
 #[derive(Clone, Copy, Debug)]
-pub struct TwoBeam<T: Element> {
+pub struct TwoBeam<T: Lane> {
     line: Line<T::Rgb>,
 }
 
-impl<T: Element> TwoBeam<T> {
+impl<T: Lane> TwoBeam<T> {
     /// For a film; its white and colour space are not used.
     pub fn new(layer: &OneLayer) -> Self {
         let lines = RGB_WAVELENGTHS_NM.map(|nm| Line::at(layer, nm));
@@ -40,7 +40,7 @@ impl<T: Element> TwoBeam<T> {
     }
 }
 
-impl<T: Element> Method<T> for TwoBeam<T> {
+impl<T: Lane> Method<T> for TwoBeam<T> {
     fn reflectance(&self, cos_theta: T, thickness_nm: T) -> Rgb<T> {
         let (cos_theta, thickness_nm) = held(cos_theta, thickness_nm);
         let waves = self.line.waves(cos_theta);

@@ -1,6 +1,6 @@
 //! Complex numbers over [`Real`]: what wave optics needs and no more.
 
-use crate::math::Real;
+use crate::num::Real;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// re + i im. Waves go as e^(i (k x - w t)), so an index eta + i k with k >= 0 absorbs.

@@ -1,7 +1,7 @@
 //! The reflectance of an absorbing medium without roots: for one index at many angles.
 
 use super::{Complex, conductor_reflectance};
-use crate::math::{Element, PI, Real, each};
+use crate::num::{Lane, PI, Real, each};
 
 /// [`conductor_reflectance`] of one index per channel, by a polynomial.
 ///
@@ -33,7 +33,7 @@ impl<C: Real> ConductorPolynomial<C> {
     /// precision at some angle in some channel.
     pub fn new<T>(eta: [T; 3], k: [T; 3]) -> Option<Self>
     where
-        T: Element<Rgb = C, Scalar = T> + Into<f64>,
+        T: Lane<Rgb = C, Scalar = T> + Into<f64>,
     {
         let [r, g, b] = each!([0, 1, 2], |c| ConductorPolynomial::fitted(
             eta[c].into(),
@@ -64,8 +64,8 @@ impl<C: Real> ConductorPolynomial<C> {
     #[inline(always)]
     pub fn reflectance<T, L>(&self, cos_theta: L) -> L::Rgb
     where
-        T: Element<Rgb = C>,
-        L: Element<Scalar = T>,
+        T: Lane<Rgb = C>,
+        L: Lane<Scalar = T>,
     {
         let cos_theta = cos_theta.gray();
         let x = cos_theta.squared();

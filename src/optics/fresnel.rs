@@ -1,7 +1,7 @@
 //! Fresnel reflectance of one interface, exact and in Schlick's approximation.
 
 use super::Complex;
-use crate::math::Real;
+use crate::num::Real;
 
 /// Reflectance at normal incidence between indices `eta_outside` and `eta_inside` (both > 0):
 /// ((r0 - r1) / (r0 + r1))^2, GH02 eq. 8.

@@ -13,7 +13,7 @@ use super::color::{ChannelWeights, ColorSpace, VISIBLE_NM, White};
 use super::stack::{Incidence, Layer, P, Response, S, Side, Stack};
 use super::{Complex, Medium};
 use crate::error::Error;
-use crate::math::{PI, Rgb};
+use crate::num::{PI, Rgb};
 
 /// The greatest change of a channel at the last halving of the step.
 pub const TOLERANCE: f64 = 1e-5;

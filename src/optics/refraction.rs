@@ -1,6 +1,6 @@
 //! Snell's law at the plane z = 0.
 
-use crate::math::{Element, Real, Vec3};
+use crate::num::{Lane, Real, Vec3};
 
 /// The interface between an outer medium (z > 0) and an inner one, both transparent.
 #[derive(Clone, Copy, Debug)]
@@ -83,7 +83,7 @@ impl<C: Real> Interface<C> {
 
     /// One channel of an interface with an index per channel.
     #[inline(always)]
-    pub fn channel<T: Element<Rgb = C>>(&self, c: usize) -> Interface<T> {
+    pub fn channel<T: Lane<Rgb = C>>(&self, c: usize) -> Interface<T> {
         Interface {
             ratio: T::channels(self.ratio)[c],
             complement: T::channels(self.complement)[c],
@@ -92,7 +92,7 @@ impl<C: Real> Interface<C> {
 
     /// The first channel's in all of them.
     #[inline(always)]
-    pub fn gray<T: Element<Rgb = C>>(&self) -> Self {
+    pub fn gray<T: Lane<Rgb = C>>(&self) -> Self {
         let Interface { ratio, complement } = self.channel::<T>(0);
         Interface {
             ratio: ratio.gray(),

@@ -18,7 +18,7 @@
 //! to -1. In the quotient the fields' scale does not matter, so they are scaled down when large.
 
 use super::Complex;
-use crate::math::{Mask, PI, Real};
+use crate::num::{Mask, PI, Real};
 
 /// The index of the s polarisation (E parallel to the layers) in pairs.
 pub const S: usize = 0;

@@ -1,7 +1,7 @@
 //! Films to try models with, each compiled once per program.
 
 use pellicle::film::{Film, FilmDescription};
-use pellicle::math::Rgb;
+use pellicle::num::Rgb;
 use pellicle::optics::Medium;
 use std::sync::{Arc, OnceLock};
 

@@ -6,7 +6,7 @@ pub mod films;
 
 use films::Kind;
 use glam::{DVec3, Vec3};
-use pellicle::lobe::{Entry, Exception, Flags, ParamKind, Values};
+use pellicle::bsdf::{Exception, Flags, ParamKind, RegisteredModel, Values};
 use pellicle::{Bsdf, Description, Scalar, Status};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -78,7 +78,7 @@ pub fn is_dirac<T: Scalar>(bsdf: &Bsdf<T>) -> bool {
 }
 
 /// A model's name and every parameter at its default, with a film if it needs one then.
-pub fn defaults(entry: &Entry) -> Description {
+pub fn defaults(entry: &RegisteredModel) -> Description {
     let description = Description::new(entry.name());
     if (entry.needs_film)(&Values::defaults(entry.info)) {
         let thickness = entry.info.film_thickness.unwrap();
@@ -94,7 +94,7 @@ pub fn defaults(entry: &Entry) -> Description {
 const MOST_COMBINATIONS: usize = 128;
 
 /// How many combinations of a model's choices [`Drawn::new`] runs through.
-pub fn combinations(entry: &Entry) -> u64 {
+pub fn combinations(entry: &RegisteredModel) -> u64 {
     let counts = entry.info.params.iter().map(|param| match param.kind {
         ParamKind::Choice { choices } => choices.len(),
         _ => 1,
@@ -111,7 +111,7 @@ pub fn combinations(entry: &Entry) -> u64 {
 
 /// A model with random parameters, all within their ranges.
 pub struct Drawn {
-    pub entry: &'static Entry,
+    pub entry: &'static RegisteredModel,
     pub description: Description,
     choices: Vec<usize>,
 }
@@ -119,7 +119,7 @@ pub struct Drawn {
 impl Drawn {
     /// Draws until the combination is valid too (weights that must not sum to more than 1, parameters
     /// that not every choice takes). Seeds in a row run through all combinations of the choices.
-    pub fn new(entry: &'static Entry, seed: u64) -> Self {
+    pub fn new(entry: &'static RegisteredModel, seed: u64) -> Self {
         let mut rng = rng(seed);
         for _ in 0..10_000 {
             let drawn = Self::candidate(entry, seed, &mut rng);
@@ -136,7 +136,7 @@ impl Drawn {
 
     /// The choices follow from the combination's number as long as they are not too many, the others
     /// are drawn.
-    fn candidate(entry: &'static Entry, combination: u64, rng: &mut impl Rng) -> Self {
+    fn candidate(entry: &'static RegisteredModel, combination: u64, rng: &mut impl Rng) -> Self {
         let mut description = Description::new(entry.name());
         let mut choices = Vec::new();
         let mut rest = combination;

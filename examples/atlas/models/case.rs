@@ -1,8 +1,8 @@
 //! Models and the parameters that they are tried over.
 
 use crate::atlas::axis::{Axis, Scale};
+use pellicle::bsdf::{Exception, ParamKind, find};
 use pellicle::film::{Film, FilmDescription};
-use pellicle::lobe::{Exception, ParamKind, find};
 use pellicle::optics::Medium;
 use pellicle::{Description, Error};
 use std::sync::Arc;

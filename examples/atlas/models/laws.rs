@@ -3,7 +3,7 @@
 use super::case::Case;
 use super::film;
 use glam::DVec3;
-use pellicle::lobe::Flags;
+use pellicle::bsdf::Flags;
 use pellicle::{Bsdf, Error};
 use rand::{Rng, RngExt};
 

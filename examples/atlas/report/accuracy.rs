@@ -6,8 +6,8 @@ use crate::atlas::contender::Contender;
 use crate::atlas::scene::{Across, Scene};
 use crate::films::{self, Films, Swept, TOLERANCE};
 use crate::models::{self, Law, Models};
+use pellicle::bsdf;
 use pellicle::film::{Kind, Sensitivity};
-use pellicle::lobe;
 use std::fmt::Write;
 
 /// Angles up to which a method's reach is counted, degrees.
@@ -196,7 +196,7 @@ fn shading(models: &Models) -> String {
         .unwrap();
     }
     out += "\nWhat the models declare:\n\n";
-    for entry in lobe::models() {
+    for entry in bsdf::models() {
         let exceptions = [
             ("not reciprocal", &entry.info.not_reciprocal),
             ("not energy-conserving", &entry.info.not_conserving),

@@ -2,8 +2,8 @@
 
 use super::super::table::{Curve, Table};
 use super::{Limits, Source, Task};
-use crate::math::spline::FARTHEST;
-use crate::math::{Element, Rgb};
+use crate::num::spline::FARTHEST;
+use crate::num::{Lane, Rgb};
 
 /// Errors of single channels.
 #[derive(Clone, Copy, Debug, Default)]

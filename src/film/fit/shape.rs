@@ -2,7 +2,7 @@
 
 use super::super::axes::{LEAST_NM, Shape};
 use super::{Limits, Source, Task};
-use crate::math::Rgb;
+use crate::num::Rgb;
 
 /// The part that each coordinate is meant to have.
 const EACH: f64 = 0.33;

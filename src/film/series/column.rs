@@ -2,7 +2,7 @@
 
 use super::terms::{Media, Terms, safe_inverse};
 use super::{Nodes, Powers, Series};
-use crate::math::{Doubles, Mask, PI, Real, widest};
+use crate::num::{F64x4, Mask, PI, Real, widest};
 use crate::optics::Complex;
 use crate::optics::stack::{P, S};
 
@@ -39,32 +39,32 @@ pub(super) struct Block {
     /// What they are where the summed layer does not absorb.
     undamped: [Damped; 2],
     /// 2 q: turns of a round trip per wavelength of thickness, and the damping's exponent over 2 pi.
-    pub(super) round: Complex<Doubles>,
+    pub(super) round: Complex<F64x4>,
     is_damped: bool,
 }
 
 /// [`Terms`] with the damping of a thickness.
 #[derive(Clone, Copy, Debug)]
 struct Damped {
-    top: Complex<Doubles>,
-    g: Complex<Doubles>,
-    h: Complex<Doubles>,
+    top: Complex<F64x4>,
+    g: Complex<F64x4>,
+    h: Complex<F64x4>,
     /// C.
-    fringe: Complex<Doubles>,
+    fringe: Complex<F64x4>,
     /// R and T without interference.
-    incoherent: Doubles,
-    through: Doubles,
-    is_resonant: <Doubles as Real>::Mask,
+    incoherent: F64x4,
+    through: F64x4,
+    is_resonant: <F64x4 as Real>::Mask,
     /// ln |g|.
-    ln_g: Doubles,
-    turn: Doubles,
+    ln_g: F64x4,
+    turn: F64x4,
 }
 
 /// R and T of the channels, summed over the nodes in each place.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sum {
-    reflectance: [Doubles; 3],
-    transmittance: [Doubles; 3],
+    reflectance: [F64x4; 3],
+    transmittance: [F64x4; 3],
 }
 
 impl Column<'_> {
@@ -89,13 +89,13 @@ impl Column<'_> {
 impl Sum {
     #[inline(always)]
     pub(super) fn add(&mut self, block: &Block, nodes: &Nodes, thickness_nm: f64, order: Order) {
-        let thickness = nodes.sigma * Doubles::new(thickness_nm);
+        let thickness = nodes.sigma * F64x4::new(thickness_nm);
         let turns = block.round.re * thickness;
         let [cos, sin] = turns.circle();
         let z = Complex::new(cos, sin);
         let damped;
         let [s, p] = if block.is_damped {
-            let exponent = block.round.im * thickness * Doubles::new(-2.0 * PI);
+            let exponent = block.round.im * thickness * F64x4::new(-2.0 * PI);
             let decay = exponent.exp();
             let [s, p] = &block.terms;
             damped = [s.damped(exponent, decay), p.damped(exponent, decay)];
@@ -104,7 +104,7 @@ impl Sum {
             &block.undamped
         };
         let (s, p) = (s.powers(z, turns, order), p.powers(z, turns, order));
-        let half = Doubles::new(0.5);
+        let half = F64x4::new(0.5);
         let (r, t) = ((s.0 + p.0) * half, (s.1 + p.1) * half);
         for c in 0..3 {
             self.reflectance[c] = self.reflectance[c] + nodes.weights[c] * r;
@@ -115,17 +115,17 @@ impl Sum {
     #[inline(always)]
     pub(super) fn powers(&self) -> Powers {
         Powers {
-            reflectance: self.reflectance.map(Doubles::sum),
-            transmittance: self.transmittance.map(Doubles::sum),
+            reflectance: self.reflectance.map(F64x4::sum),
+            transmittance: self.transmittance.map(F64x4::sum),
         }
     }
 }
 
 impl Block {
     #[inline(always)]
-    pub(super) fn new(media: Media<'_>, cos_theta: f64, sigma: Doubles) -> Self {
+    pub(super) fn new(media: Media<'_>, cos_theta: f64, sigma: F64x4) -> Self {
         let (terms, round) = media.terms(cos_theta, sigma);
-        let (zero, one) = (Doubles::new(0.0), Doubles::new(1.0));
+        let (zero, one) = (F64x4::new(0.0), F64x4::new(1.0));
         Self {
             undamped: [terms[S].damped(zero, one), terms[P].damped(zero, one)],
             terms,
@@ -138,14 +138,13 @@ impl Block {
 impl Terms {
     /// With the amplitude's damping on a round trip: e to the exponent.
     #[inline(always)]
-    fn damped(&self, exponent: Doubles, decay: Doubles) -> Damped {
-        let one = Doubles::new(1.0);
+    fn damped(&self, exponent: F64x4, decay: F64x4) -> Damped {
+        let one = F64x4::new(1.0);
         let (g, h) = (self.g.scaled(decay), self.h.scaled(decay));
         let loss = one - g.norm_squared();
         let power = h.norm_squared();
-        let is_resonant =
-            loss.lt(Doubles::new(RESONANT)) | power.gt(loss * Doubles::new(MOST_POWER));
-        let inverse = Doubles::select(is_resonant, one, one / loss);
+        let is_resonant = loss.lt(F64x4::new(RESONANT)) | power.gt(loss * F64x4::new(MOST_POWER));
+        let inverse = F64x4::select(is_resonant, one, one / loss);
         let pairs = power * inverse;
         Damped {
             g,
@@ -164,18 +163,18 @@ impl Terms {
 impl Damped {
     /// R and T at z, the phase of a round trip, which is so many turns.
     #[inline(always)]
-    fn powers(&self, z: Complex<Doubles>, turns: Doubles, order: Order) -> (Doubles, Doubles) {
-        let (zero, one, two) = (Doubles::new(0.0), Doubles::new(1.0), Doubles::new(2.0));
+    fn powers(&self, z: Complex<F64x4>, turns: F64x4, order: Order) -> (F64x4, F64x4) {
+        let (zero, one, two) = (F64x4::new(0.0), F64x4::new(1.0), F64x4::new(2.0));
         let gz = self.g * z;
         let inverse = safe_inverse(Complex::new(one + gz.re, gz.im));
         let all = z * inverse;
         let mut sum = all;
-        let last = self.ln_g * Doubles::new(order.whole);
-        let is_seen = last.gt(Doubles::new(FAINT));
+        let last = self.ln_g * F64x4::new(order.whole);
+        let is_seen = last.gt(F64x4::new(FAINT));
         if order.cut > 0.0 && is_seen.any() {
-            let size = Doubles::select(is_seen, last.exp(), zero) * Doubles::new(order.cut);
-            let [cos, sin] = ((self.turn + turns) * Doubles::new(order.whole)).circle();
-            let part = Doubles::new(order.part);
+            let size = F64x4::select(is_seen, last.exp(), zero) * F64x4::new(order.cut);
+            let [cos, sin] = ((self.turn + turns) * F64x4::new(order.whole)).circle();
+            let part = F64x4::new(order.part);
             let next = Complex::new(one - part - part * gz.re, -(part * gz.im));
             let power = Complex::new(cos, sin).scaled(size) * next;
             sum = sum * Complex::new(one - power.re, -power.im);
@@ -189,8 +188,8 @@ impl Damped {
         }
         let direct = (self.top + self.h * all).norm_squared();
         (
-            Doubles::select(self.is_resonant, direct, r),
-            Doubles::select(self.is_resonant, self.through * inverse.norm_squared(), t),
+            F64x4::select(self.is_resonant, direct, r),
+            F64x4::select(self.is_resonant, self.through * inverse.norm_squared(), t),
         )
     }
 }

@@ -1,6 +1,6 @@
 //! What a stack is to one of its layers: the factors of the series over that layer's round trips.
 
-use crate::math::{Doubles, Real, angle_turns};
+use crate::num::{F64x4, Real, angle_turns};
 use crate::optics::Complex;
 use crate::optics::stack::{Incidence, P, S, Side, Slab};
 
@@ -9,7 +9,7 @@ use crate::optics::stack::{Incidence, P, S, Side, Slab};
 pub(super) struct Media<'a> {
     pub side: Side,
     /// Ambient, layers, base.
-    pub indices: &'a [Complex<Doubles>],
+    pub indices: &'a [Complex<F64x4>],
     /// Least and greatest thickness of each layer.
     pub ranges: &'a [[f64; 2]],
     /// The layer whose round trips are counted; none: there is no layer.
@@ -19,21 +19,21 @@ pub(super) struct Media<'a> {
 /// What does not depend on the thickness of the summed layer, for one polarisation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Terms {
-    pub top: Complex<Doubles>,
-    pub g: Complex<Doubles>,
-    pub h: Complex<Doubles>,
+    pub top: Complex<F64x4>,
+    pub g: Complex<F64x4>,
+    pub h: Complex<F64x4>,
     /// T without interference and damping, times 1 - |g|^2.
-    pub through: Doubles,
+    pub through: F64x4,
     /// ln |g|, and the angle of -g in turns.
-    pub ln_g: Doubles,
-    pub turn: Doubles,
+    pub ln_g: F64x4,
+    pub turn: F64x4,
 }
 
 impl Media<'_> {
     /// The terms of s and p, and 2 q of the summed layer.
     #[inline(always)]
-    pub(super) fn terms(&self, cos_theta: f64, sigma: Doubles) -> ([Terms; 2], Complex<Doubles>) {
-        let (zero, one) = (Doubles::new(0.0), Doubles::new(1.0));
+    pub(super) fn terms(&self, cos_theta: f64, sigma: F64x4) -> ([Terms; 2], Complex<F64x4>) {
+        let (zero, one) = (F64x4::new(0.0), F64x4::new(1.0));
         let last = self.indices.len() - 1;
         // Media from the light onwards.
         let medium = |i: usize| match self.side {
@@ -44,7 +44,7 @@ impl Media<'_> {
             Side::Ambient => layer + 1,
             Side::Base => last - 1 - layer,
         });
-        let near = Incidence::new(medium(0).re, Doubles::new(cos_theta));
+        let near = Incidence::new(medium(0).re, F64x4::new(cos_theta));
         let far = near.wave(medium(last));
         let inside = near.wave(medium(summed));
         let wavelength_nm = one / sigma;
@@ -53,7 +53,7 @@ impl Media<'_> {
                 Side::Ambient => i - 1,
                 Side::Base => last - 1 - i,
             };
-            let thickness_nm = Doubles::new(self.ranges[layer][0]);
+            let thickness_nm = F64x4::new(self.ranges[layer][0]);
             Slab::new(&near.wave(medium(i)), thickness_nm, wavelength_nm)
         };
         let near_w = near.immittance();
@@ -97,7 +97,7 @@ impl Media<'_> {
         let round = if summed == last {
             real(zero)
         } else {
-            inside.immittance[S].scaled(Doubles::new(2.0))
+            inside.immittance[S].scaled(F64x4::new(2.0))
         };
         (both, round)
     }
@@ -106,21 +106,21 @@ impl Media<'_> {
 /// What surrounds the summed layer, for one polarisation.
 struct Outside {
     /// w of both half-spaces.
-    near: Complex<Doubles>,
-    far: Doubles,
+    near: Complex<F64x4>,
+    far: F64x4,
     /// The fields below it.
-    below: (Complex<Doubles>, Complex<Doubles>),
+    below: (Complex<F64x4>, Complex<F64x4>),
     /// What the layers above it make of the fields (1, 0) and (0, 1).
-    above: [(Complex<Doubles>, Complex<Doubles>); 2],
+    above: [(Complex<F64x4>, Complex<F64x4>); 2],
     /// E of all layers above it, and |E| of all but itself.
-    determinant: Complex<Doubles>,
-    decay: Doubles,
+    determinant: Complex<F64x4>,
+    decay: F64x4,
 }
 
 impl Outside {
     /// `w1`: of the summed layer.
     #[inline(always)]
-    fn terms(&self, w1: Complex<Doubles>) -> Terms {
+    fn terms(&self, w1: Complex<F64x4>) -> Terms {
         let w0 = self.near;
         let (u2, v2) = self.below;
         let [(a, c), (b, d)] = self.above;
@@ -132,15 +132,15 @@ impl Outside {
         let g = (p1 + q1) * inverse * bottom;
         let h = w0 * w1 * self.determinant * inverse * inverse * bottom;
         // 4 w0 Re(w far) |E| / |(w1 v2 + u2) / (2 w1) (p + q)|^2
-        let forward = (sum * safe_inverse(w1)).scaled(Doubles::new(0.5)) * (p + q);
-        let flux = Doubles::new(4.0) * w0.re * self.far;
-        let least = Doubles::new(f64::MIN_POSITIVE);
+        let forward = (sum * safe_inverse(w1)).scaled(F64x4::new(0.5)) * (p + q);
+        let flux = F64x4::new(4.0) * w0.re * self.far;
+        let least = F64x4::new(f64::MIN_POSITIVE);
         Terms {
             top: (p - q) * inverse,
             g,
-            h: h.scaled(Doubles::new(4.0)),
+            h: h.scaled(F64x4::new(4.0)),
             through: flux * self.decay / forward.norm_squared().max(least),
-            ln_g: g.norm_squared().max(least).ln() * Doubles::new(0.5),
+            ln_g: g.norm_squared().max(least).ln() * F64x4::new(0.5),
             turn: angle_turns(-g.im, -g.re),
         }
     }
@@ -148,9 +148,9 @@ impl Outside {
 
 /// 1 / z; 0 for 0.
 #[inline(always)]
-pub(super) fn safe_inverse(z: Complex<Doubles>) -> Complex<Doubles> {
-    let (zero, one) = (Doubles::new(0.0), Doubles::new(1.0));
-    let is_zero = z.norm_squared().lt(Doubles::new(f64::MIN_POSITIVE));
+pub(super) fn safe_inverse(z: Complex<F64x4>) -> Complex<F64x4> {
+    let (zero, one) = (F64x4::new(0.0), F64x4::new(1.0));
+    let is_zero = z.norm_squared().lt(F64x4::new(f64::MIN_POSITIVE));
     let inverse = Complex::select(is_zero, Complex::real(one), z).inverse();
     Complex::select(is_zero, Complex::real(zero), inverse)
 }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::math::PI;
+use crate::num::PI;
 use crate::optics::{Medium, Reference};
 
 const NODES: usize = 96;

@@ -6,9 +6,9 @@ use glam::Vec3;
 use pellicle::batch::{
     ConstView, EvalArgs, FilmArgs, SampleArgs, View, eval, film_reflectance, sample,
 };
+use pellicle::bsdf::Flags;
 use pellicle::film::Film;
-use pellicle::lobe::Flags;
-use pellicle::math::Level;
+use pellicle::num::Level;
 use pellicle::{Bsdf, Sample};
 
 /// Components one after another.

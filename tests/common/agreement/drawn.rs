@@ -4,7 +4,7 @@ use super::variants::Variant;
 use crate::common::films::Kind;
 use crate::common::{hemisphere, number};
 use glam::Vec3;
-use pellicle::lobe::{ParamKind, Values};
+use pellicle::bsdf::{ParamKind, Values};
 use pellicle::{Bsdf, Description, Status};
 use rand::{Rng, RngExt};
 

@@ -5,7 +5,7 @@ use super::batch::reflectances;
 use super::row::{Quantity, Row};
 use crate::common::films::{bare, constant, medium, soap};
 use pellicle::film::{Film, FilmDescription, Kind, METHODS, Method, OneLayer, Sensitivity};
-use pellicle::math::Level;
+use pellicle::num::Level;
 use pellicle::optics::{dielectric_reflectance, schlick};
 use rand::{Rng, RngExt};
 

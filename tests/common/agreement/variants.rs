@@ -1,13 +1,13 @@
 //! What is evaluated, one row of the table each: every model of the registry in its variants.
 
-use pellicle::lobe::{Entry, ParamKind, models};
+use pellicle::bsdf::{ParamKind, RegisteredModel, models};
 
 /// So many combinations of a model's choices have a row each.
 const MOST_COMBINATIONS: usize = 32;
 
 /// A model with some of its choices made.
 pub struct Variant {
-    pub entry: &'static Entry,
+    pub entry: &'static RegisteredModel,
     /// Model and choices.
     pub name: String,
     /// What is chosen for each parameter: that, or anything.
@@ -20,7 +20,7 @@ pub fn variants() -> Vec<Variant> {
     models().iter().flat_map(of).collect()
 }
 
-fn of(entry: &'static Entry) -> Vec<Variant> {
+fn of(entry: &'static RegisteredModel) -> Vec<Variant> {
     let params = entry.info.params;
     let count = |param: usize| match params[param].kind {
         ParamKind::Choice { choices } => choices.len(),
@@ -56,7 +56,7 @@ fn of(entry: &'static Entry) -> Vec<Variant> {
 
 impl Variant {
     fn new(
-        entry: &'static Entry,
+        entry: &'static RegisteredModel,
         choices: Vec<Option<usize>>,
         named: impl Iterator<Item = usize>,
     ) -> Self {

@@ -3,7 +3,7 @@
 use super::scene::Scene;
 use super::stack::Stack;
 use pellicle::film::{Film, FilmDescription, Kind, Method, OneLayer, Sensitivity};
-use pellicle::math::Rgb;
+use pellicle::num::Rgb;
 use pellicle::optics::RGB_WAVELENGTHS_NM;
 use pellicle::{Bsdf, Description};
 use std::cell::OnceCell;

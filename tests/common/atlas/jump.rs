@@ -3,7 +3,7 @@
 use super::contender::Compiled;
 use super::map::Found;
 use super::scene::{Across, Scene};
-use pellicle::math::Rgb;
+use pellicle::num::Rgb;
 use pellicle::optics::Reference;
 use pellicle::optics::stack::Side;
 

@@ -2,7 +2,7 @@
 
 use super::contender::{Compiled, Contender};
 use super::scene::{Across, POINTS_PER_SIDE, Scene, Truth};
-use pellicle::math::Rgb;
+use pellicle::num::Rgb;
 
 /// A number, and where it was found.
 #[derive(Clone, Copy, Debug, Default)]

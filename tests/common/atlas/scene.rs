@@ -4,7 +4,7 @@ use super::axis::{ANGLE, Axis, GRAZING, Scale};
 use super::parallel;
 use super::stack::Stack;
 use pellicle::Error;
-use pellicle::math::Rgb;
+use pellicle::num::Rgb;
 use pellicle::optics::Medium;
 use pellicle::optics::stack::Side;
 

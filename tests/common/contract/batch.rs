@@ -194,7 +194,7 @@ fn varying(subject: &Subject, count: usize, bytes: &mut Bytes) -> Vec<Array> {
     arrays
 }
 
-/// Element i of them, one after another.
+/// Lane i of them, one after another.
 fn flat(arrays: &[Array], i: usize) -> Vec<f32> {
     let number = |array: &Array, c| f32::from_bits(array.get(i, c));
     let all = arrays

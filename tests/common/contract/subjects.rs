@@ -4,9 +4,9 @@
 use super::super::common::films::{self, Kind};
 use super::super::common::{Drawn, combinations};
 use pellicle::Bsdf;
+use pellicle::bsdf::models;
 use pellicle::capi::*;
 use pellicle::film::{Film, FilmDescription};
-use pellicle::lobe::models;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 

@@ -6,7 +6,7 @@ use super::planes::Planes;
 use super::{BATCH, Settings, Tally, promise};
 use pellicle::batch::{FilmArgs, film_reflectance};
 use pellicle::film::Film;
-use pellicle::math::{Level, Rgb};
+use pellicle::num::{Level, Rgb};
 use pellicle::optics::stack::Side;
 use rand::{Rng, RngExt};
 

@@ -7,8 +7,8 @@ use super::planes::Planes;
 use super::{BATCH, Settings, Tally};
 use glam::Vec3;
 use pellicle::batch::{ConstView, EvalArgs, SampleArgs, eval, sample};
-use pellicle::lobe::{Flags, models};
-use pellicle::math::Level;
+use pellicle::bsdf::{Flags, models};
+use pellicle::num::Level;
 use pellicle::{Bsdf, Description};
 use rand::{Rng, RngExt};
 

@@ -1,0 +1,92 @@
+//! The rules about the film that a model takes, and about the thickness of its varying layer.
+
+use super::varying::Range;
+use crate::bsdf::{ParamKind, RegisteredModel, Values};
+use crate::error::Error;
+use crate::film::Film;
+
+/// Refuses a film that is not used, the lack of one that is, and a thickness that does not fit it.
+/// `given` tells which parameters have a value of their own.
+pub(super) fn check_film(
+    entry: &RegisteredModel,
+    film: Option<&Film>,
+    values: &Values<f32>,
+    given: &[bool],
+    varying: &[Range],
+) -> Result<(), Error> {
+    let model = entry.name();
+    let film = match ((entry.needs_film)(values), film) {
+        (false, None) => None,
+        (true, Some(film)) => Some(film),
+        (false, Some(_)) => {
+            let why = under_choice(entry, values).map_or(String::new(), |(_, other)| other);
+            return Err(Error::invalid(format!(
+                "model '{model}' uses no film{why}, but one is given"
+            )));
+        }
+        (true, None) => {
+            let why = under_choice(entry, values).map_or(String::new(), |(its, _)| its);
+            return Err(Error::invalid(format!(
+                "model '{model}' needs a film{why}, but none is given"
+            )));
+        }
+    };
+    let Some(param) = entry.info.film_thickness else {
+        return Ok(());
+    };
+    let name = entry.info.params[param].name();
+    let mut thicknesses = Vec::new();
+    if given[param] {
+        thicknesses.push(("", values.number(param)));
+    }
+    for range in varying.iter().filter(|range| range.param == param) {
+        thicknesses.push((" (least varying value)", range.min));
+        thicknesses.push((" (greatest varying value)", range.max));
+    }
+    match film.and_then(Film::varying_thickness_nm) {
+        None if thicknesses.is_empty() => Ok(()),
+        None => {
+            let reason = film.map_or("it uses no film", |_| "no layer of its film varies");
+            Err(Error::invalid(format!(
+                "model '{model}' takes no '{name}' here: {reason}"
+            )))
+        }
+        Some([min, max]) if thicknesses.is_empty() => Err(Error::invalid(format!(
+            "model '{model}' needs '{name}', fixed or varying within [{min}, {max}], \
+             as a layer of its film varies"
+        ))),
+        Some(range) => {
+            // Thicknesses are in single precision: an end of the range is rounded like them.
+            let [min, max] = range.map(|nm| nm as f32);
+            let outside = |(_, number): &&(&str, f32)| !(min..=max).contains(number);
+            let Some((which, number)) = thicknesses.iter().find(outside) else {
+                return Ok(());
+            };
+            Err(Error::out_of_range(format!(
+                "parameter '{name}{which}' = {number} of model '{model}' is outside \
+                 [{min}, {max}], the range of the film's layer"
+            )))
+        }
+    }
+}
+
+/// For a model that takes a film under one of its choices: how a message says that it is made, and that
+/// another is.
+fn under_choice(entry: &RegisteredModel, values: &Values<f32>) -> Option<(String, String)> {
+    let needed = entry.info.film_choice?;
+    let param = &entry.info.params[needed.param];
+    let ParamKind::Choice { choices } = param.kind else {
+        return None;
+    };
+    let names: Vec<_> = choices
+        .iter()
+        .map(|choice| choice.to_str().unwrap_or_default())
+        .collect();
+    let (name, film) = (param.name(), names[needed.choice]);
+    let made = names[values.choice(needed.param)];
+    let known = names.join(", ");
+    Some((
+        format!(" with '{name}' = {film} (choices: {known})"),
+        format!(" with '{name}' = {made}, only with {film} (choices: {known})"),
+    ))
+}

@@ -1,0 +1,103 @@
+//! # `disney_diffuse`: a diffuse reflector fitted to measured materials
+//!
+//! pi f / reflectance = (1 + (F - 1)(1 - wi.z)^5) (1 + (F - 1)(1 - wo.z)^5)
+//!
+//! with F = 0.5 + 2 roughness cos^2 theta_d, theta_d the angle between wi and the half vector: Burley
+//! 2012 ("Physically-Based Shading at Disney"), section 5.3. Smooth surfaces darken at grazing
+//! angles as a refracting boundary would make them, rough ones brighten. Use it to match assets
+//! authored for it; give it a roughness of its own, as with `oren_nayar`. The form is an empirical fit.
+//!
+//! **Limits**: it returns more than it receives if the reflectance is near 1 and the roughness above
+//! 0.4: for reflectance 1 and roughness 1 by 3.6 % at normal incidence and 56 % at grazing angles.
+
+use super::cosine_lobe::{CosineLobe, Diffuse};
+use crate::bsdf::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
+use crate::bsdf::mixture::{Mixture, Surfaces};
+use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::precision::Precision;
+use crate::bsdf::values::Values;
+use crate::num::{Lane, PI, Real, Rgb, Vec3, each};
+
+/// The model; see the module's documentation.
+pub struct DisneyDiffuse;
+
+const REFLECTANCE: usize = 0;
+const ROUGHNESS: usize = 1;
+
+impl Model for DisneyDiffuse {
+    const INFO: ModelInfo = ModelInfo {
+        name: c"disney_diffuse",
+        summary: c"Diffuse reflection fitted to measured materials: darker or brighter at grazing angles.",
+        source: c"Burley 2012, Physically-Based Shading at Disney, section 5.3",
+        params: &[
+            ParamInfo::rgb(c"reflectance", c"Fraction of light reflected, RGB, apart from grazing angles.", [0.0, 1.0], 0.5),
+            ParamInfo::number(c"roughness", c"0 darkens grazing angles, 1 brightens them.", [0.0, 1.0], 0.5),
+        ],
+        lobes: &[LobeInfo::DIFFUSE],
+        not_conserving: Some(Exception {
+            cases: &[&[]],
+            reason: c"a reflectance near 1 with roughness above 0.4: up to 56 % too much at grazing angles",
+        }),
+        ..ModelInfo::PLAIN
+    };
+
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        Ok(Box::new(Mixture(Prepared {
+            reflectance: values.rgb(REFLECTANCE),
+            roughness: values.number(ROUGHNESS),
+        })))
+    }
+}
+
+/// The compiled model.
+#[derive(Clone, Copy)]
+pub struct Prepared<T> {
+    reflectance: Rgb<T>,
+    roughness: T,
+}
+
+/// f |wi.z| over the reflectance. cos^2 theta_d = (1 + <wo, wi>) / 2.
+#[inline(always)]
+pub(super) fn value<T: Real>(roughness: T, wo: Vec3<T>, wi: Vec3<T>) -> T {
+    let one = T::new(1.0);
+    let excess = roughness * (one + wo.dot(wi)) - T::new(0.5);
+    let [out, back] = [one - wo.z, one - wi.z];
+    let [out, back] = [one + excess * out.pow5(), one + excess * back.pow5()];
+    out * back * wi.z * T::new(1.0 / PI)
+}
+
+/// An upper bound of the directional albedo for reflectance 1, above it by less than 0.03 from
+/// roughness 0.4 on, where it begins to exceed 1: our own fit.
+#[inline(always)]
+pub(super) fn greatest_albedo<T: Real>(roughness: T) -> T {
+    let above = (roughness - T::new(0.4)).max(T::new(0.0));
+    T::new(1.0) + T::new(1.3) * above.squared() / (above + T::new(0.2))
+}
+
+impl<T: Precision> Surfaces<T> for Prepared<T> {
+    type Surface<'a, L: Lane<Scalar = T>> = CosineLobe<Prepared<L>>;
+
+    #[inline(always)]
+    fn surface<L: Lane<Scalar = T>>(&self) -> CosineLobe<Prepared<L>> {
+        CosineLobe(Prepared {
+            reflectance: each!(self.reflectance, |channel| L::splat(channel)),
+            roughness: L::splat(self.roughness),
+        })
+    }
+}
+
+impl<T: Lane> Diffuse<T> for Prepared<T> {
+    #[inline(always)]
+    fn vary(&mut self, param: usize, value: [T; 3]) {
+        match param {
+            REFLECTANCE => self.reflectance = value,
+            _ => self.roughness = value[0],
+        }
+    }
+
+    #[inline(always)]
+    fn value(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        let value = value(self.roughness, wo, wi);
+        each!(self.reflectance, |reflectance| reflectance * value)
+    }
+}

@@ -1,0 +1,254 @@
+//! # `film`: a smooth surface with a thin-film coating
+//!
+//! A perfect mirror whose colour is that of wave optics: the compiled [`Film`] gives R and T, the
+//! plane gives the directions. Both lobes are Dirac, so value and density are 0 everywhere and only
+//! sampling finds them. Use it for soap bubbles, coated lenses and oil on still water; not for
+//! anything brushed or worn.
+//!
+//! **Reflection**: wi mirrors wo, weight R.
+//!
+//! **Transmission**, for a film that keeps its transmittance on a base that does not absorb: wi is
+//! refracted by Snell's law between ambient and base, weight T (eta_o / eta_i)^2 as radiance is
+//! compressed with its solid angle (Veach 1997, "Robust Monte Carlo Methods for Light Transport
+//! Simulation", section 5.2). Layers shift a ray but do not turn it, so a base like the ambient (a
+//! soap bubble) leaves directions as they are. The direction is that of 550 nm, near the eye's peak,
+//! for all colours: dispersion of the direction is left out. Where 550 nm is totally reflected
+//! nothing is transmitted. T is that of the ambient's side for either way, at the angle there, so that
+//! it is the same both ways: beside a dispersing base the colours of the two sides would belong to
+//! different angles and differ by as much as 0.3 at grazing ones.
+//!
+//! **Thickness**: `thickness_nm` is that of the film's layer that varies, within its range. It must
+//! be given, or vary, when a layer varies, and must not when none does. Where it varies and has no
+//! value of its own, that is the least of its range.
+//!
+//! **Energy**: T is clipped to \[0, 1\] and R to \[0, 1 - T\], for unclipped films too. Power is
+//! conserved at every wavelength but not in every channel, as matching functions have negative parts:
+//! the red of R and of T may each be below 1 and their sum above. R gives way, because T must be the
+//! same from both sides.
+//!
+//! Films are evaluated in single precision; the instance in double precision has only its directions
+//! better.
+
+use super::power_lobe::mean;
+use crate::bsdf::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
+use crate::bsdf::kernel::{Direction, Kernel, Override};
+use crate::bsdf::mixture::{choose, only};
+use crate::bsdf::model::{Compiled, MAX_LOBES, Model, PerLobe, normalized};
+use crate::bsdf::precision::Precision;
+use crate::bsdf::values::Values;
+use crate::film::{Film, MAX_THICKNESS_NM};
+use crate::num::{Real, Rgb, Vec3};
+use crate::optics::Interface;
+use crate::optics::stack::Side;
+use std::sync::Arc;
+
+/// The model; see the module's documentation.
+pub struct ThinFilm;
+
+const THICKNESS_NM: usize = 0;
+
+const REFLECTION_LOBE: usize = 0;
+const TRANSMISSION_LOBE: usize = 1;
+
+/// The wavelength whose refraction stands for all, nm.
+const REFRACTION_NM: f64 = 550.0;
+
+impl Model for ThinFilm {
+    const INFO: ModelInfo = ModelInfo {
+        name: c"film",
+        summary: c"Needs a film: a smooth surface coated with it, which reflects and, if the film keeps its transmittance and its base is transparent, transmits.",
+        source: c"Abeles 1950 and Macleod, Thin-Film Optical Filters, chapter 2; directions by Snell's law",
+        params: &[ParamInfo::number(c"thickness_nm", c"Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit(c"nm")],
+        lobes: &[
+            LobeInfo {
+                name: c"reflection",
+                flags: Flags::REFLECTION.with(Flags::DELTA),
+            },
+            LobeInfo {
+                name: c"transmission",
+                flags: Flags::TRANSMISSION.with(Flags::DELTA),
+            },
+        ],
+        film_thickness: Some(THICKNESS_NM),
+        ..ModelInfo::PLAIN
+    };
+
+    fn lobes(values: &Values<f32>) -> &'static [LobeInfo] {
+        let transmits = values.film().is_some_and(|film| transmits(film));
+        &Self::INFO.lobes[..if transmits { 2 } else { 1 }]
+    }
+
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        let film = values.film().expect("validation refuses a lack of it");
+        Ok(Box::new(Prepared {
+            film: Arc::clone(film),
+            thickness_nm: values.number(THICKNESS_NM),
+            passage: transmits(film).then(|| Passage::through(film)),
+        }))
+    }
+}
+
+/// Whether light crosses the film to where it can be seen.
+fn transmits(film: &Film) -> bool {
+    film.description().transmittance && !film.description().base.absorbs()
+}
+
+/// How directions pass from one half-space into the other.
+#[derive(Clone, Copy)]
+struct Passage<T> {
+    interface: Interface<T>,
+    /// Index of the base over that of the ambient.
+    eta: T,
+    /// Equal indices: kept apart as directions pass bit for bit.
+    is_straight: bool,
+}
+
+impl<T: Precision> Passage<T> {
+    fn through(film: &Film) -> Self {
+        let [ambient, base] = film
+            .half_spaces()
+            .map(|medium| medium.index(REFRACTION_NM).re);
+        Self {
+            interface: Interface::new(T::new(ambient), T::new(base)),
+            eta: T::new(base / ambient),
+            is_straight: ambient == base,
+        }
+    }
+
+    /// Where the light comes from that leaves along wo, and the index there over that on wo's side;
+    /// none beyond the critical angle. The direction is of unit length even if wo is so to 1e-3 only,
+    /// an error that leaving a dense base would magnify.
+    #[inline(always)]
+    fn behind(&self, wo: Vec3<T>) -> Option<(Vec3<T>, T)> {
+        let back = wo.scaled(T::new(-1.0));
+        if self.is_straight {
+            return Some((back, T::new(1.0)));
+        }
+        let (wi, eta) = if wo.z > T::new(0.0) {
+            (self.interface.inside(wo).scaled(T::new(-1.0)), self.eta)
+        } else {
+            (self.interface.outside(back), T::new(1.0) / self.eta)
+        };
+        (wi.z != T::new(0.0)).then(|| (wi.normalized(), eta))
+    }
+}
+
+/// The compiled model.
+pub struct Prepared<T> {
+    film: Arc<Film>,
+    thickness_nm: T,
+    /// None if nothing is transmitted.
+    passage: Option<Passage<T>>,
+}
+
+/// What becomes of light along one direction.
+struct Split<T> {
+    /// Power returned.
+    reflected: Rgb<T>,
+    /// Power passed on.
+    transmitted: Rgb<T>,
+    /// [`Passage::behind`]; none if nothing is passed on.
+    behind: Option<(Vec3<T>, T)>,
+}
+
+impl<T: Precision> Prepared<T> {
+    #[inline(always)]
+    fn split(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Split<T> {
+        // Nothing else varies.
+        let thickness = overrides.first().map_or(self.thickness_nm, |o| o.value[0]);
+        let (cos_theta, thickness) = (wo.z.abs().to_f32(), thickness.to_f32());
+        let Some(passage) = &self.passage else {
+            let reflectance = self.film.reflectance(cos_theta, thickness);
+            return Split::new(reflectance, [0.0; 3], None);
+        };
+        let behind = passage.behind(wo);
+        // It cannot fail: there is a passage only if the film keeps its transmittance.
+        let from = |side, cos| self.film.colors(side, cos, thickness).unwrap_or_default();
+        if wo.z > T::new(0.0) {
+            let colors = from(Side::Ambient, cos_theta);
+            let transmittance = behind.map_or([0.0; 3], |_| colors.transmittance);
+            return Split::new(colors.reflectance, transmittance, behind);
+        }
+        let reflectance = from(Side::Base, cos_theta).reflectance;
+        let transmittance = behind.map_or([0.0; 3], |(wi, _)| {
+            from(Side::Ambient, wi.z.to_f32()).transmittance
+        });
+        Split::new(reflectance, transmittance, behind)
+    }
+}
+
+impl<T: Precision> Split<T> {
+    #[inline(always)]
+    fn new(reflectance: Rgb<f32>, transmittance: Rgb<f32>, behind: Option<(Vec3<T>, T)>) -> Self {
+        let t = transmittance.map(|channel| channel.clamp(0.0, 1.0));
+        let r = std::array::from_fn(|channel| reflectance[channel].min(1.0 - t[channel]).max(0.0));
+        Self {
+            reflected: in_precision(r),
+            transmitted: in_precision(t),
+            behind,
+        }
+    }
+
+    /// The probability of each lobe, in proportion to the mean of its power over the channels.
+    #[inline(always)]
+    fn selection(&self) -> PerLobe<T> {
+        let mut shares = [T::new(0.0); MAX_LOBES];
+        shares[REFLECTION_LOBE] = mean(self.reflected);
+        shares[TRANSMISSION_LOBE] = mean(self.transmitted);
+        normalized(shares)
+    }
+
+    /// Radiance towards the viewer for radiance 1 of each lobe's light.
+    #[inline(always)]
+    fn radiance(&self, lobe: usize) -> Rgb<T> {
+        if lobe == REFLECTION_LOBE {
+            return self.reflected;
+        }
+        let factor = self
+            .behind
+            .map_or(T::new(0.0), |(_, eta)| T::new(1.0) / eta.squared());
+        self.transmitted.map(|channel| channel * factor)
+    }
+}
+
+fn in_precision<T: Real>(rgb: Rgb<f32>) -> Rgb<T> {
+    rgb.map(|channel| T::new(f64::from(channel)))
+}
+
+impl<T: Precision> Kernel<T> for Prepared<T> {
+    fn lobes(
+        &self,
+        overrides: &[Override<T>],
+        wo: Vec3<T>,
+        _wi: Vec3<T>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        let selection = self.split(overrides, wo).selection();
+        (selection, [T::new(0.0); MAX_LOBES])
+    }
+
+    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
+        let split = self.split(overrides, wo);
+        let selection = split.selection();
+        let lobe = only(&choose(&selection, u[0]))?;
+        let (wi, eta) = if lobe == REFLECTION_LOBE {
+            (wo.mirrored(), T::new(1.0))
+        } else {
+            split.behind?
+        };
+        Some(Direction {
+            wi,
+            pdf: T::new(0.0),
+            weight: split
+                .radiance(lobe)
+                .map(|channel| channel / selection[lobe]),
+            eta,
+            lobe,
+        })
+    }
+
+    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
+        let split = self.split(overrides, wo);
+        let [r, t] = [REFLECTION_LOBE, TRANSMISSION_LOBE].map(|lobe| split.radiance(lobe));
+        std::array::from_fn(|channel| r[channel] + t[channel])
+    }
+}

@@ -1,0 +1,138 @@
+//! # `layered`: a thin layer on an object, with interference at three wavelengths
+//!
+//! The model of Granier and Heidrich 2002, "A Simple Layered RGB BRDF Model" (GH02): light reflected
+//! by the upper boundary of a layer interferes with light that traversed the layer once and was
+//! reflected by its lower boundary, whose normal may deviate. A diffuse part follows the thickness.
+//!
+//! Indices: 0 the ambient, 1 the layer, 2 the object. Per channel, at 645, 525 and 445 nm.
+//!
+//! **Variants.** `paper` is the formulas to the letter (with the misprints below mended): its lobes
+//! are not normalised and it is not reciprocal, since the Fresnel factor sees the light's side only
+//! and the two crossings of the upper boundary take their cosines in different media: there the
+//! roles of wi (light) and wo (viewer) matter. `energy`, the default, has the same parameters,
+//! colours and lobe shapes, is reciprocal, and its albedo is at most 1:
+//!
+//! ```text
+//! f_R = min(F(wi), F(wo)) (e0 + 2) / (2 pi) max(0, <r_i, wo>)^e0
+//! f_T = base (1 - F(wi)) (1 - F(wo)) (e1 + 2) / (2 pi (r1/r0)^2) max(0, <r_ii, -i_o>)^e1
+//! f   = ks (f_R + f_T + 2 cos(2 Phi) sqrt(f_R f_T)) / 2  +  kd rho_d / (2 pi)
+//! ```
+//!
+//! It conserves energy because 2 sqrt(ab) <= a + b, the modified Phong lobe integrates to at most 1
+//! with the cosine (Lafortune and Willems 1994), refraction compresses solid angle
+//! (cos_o dw_o = (r1/r0)^2 cos_io dw_io), and min(F_i, F_o) <= F_i.
+//!
+//! **Misprints and limits of the paper.**
+//! 1. Eq. 10 prints F(i); with eq. 6 and 7 it must be F(-i), the cosine on the light's side.
+//! 2. Eq. 1 prints <i, -n0> and eq. 3 <i + i_o, -n0>; eq. 2 needs i_i, the ray inside the layer. The
+//!    text lets i_o depend on n1; here the mirror at n1 is in r_ii and i_o is refracted at n0 alone.
+//! 3. For parallel boundaries the three null conditions after eq. 10 are said to be always true; the
+//!    first two never are, and the third can be for r1 < sqrt(2).
+//! 4. Eq. 11 is garbled: it means R_d + T_d + 2 cos(2 Phi) sqrt(R_d T_d).
+//! 5. Eq. 11 and 16 lack the division by 2 of eq. 5: rho_d reaches 2, and rho_d / 2 is an albedo.
+//! 6. Eq. 14 at r1 = 1.5 gives 0.835, not .85; the formula is right.
+//! 7. R and T are not normalised lobes: rho is a reflectance-like number, not a conserving BRDF.
+//! 8. The lower boundary reflects everything: no Fresnel between 1 and 2. `base` scales what it
+//!    reflects in the specular part of both variants; 1 is the paper.
+//! 9. No half-wave shift: right only for an index that rises inwards. `phase_shift` = `half_wave`
+//!    shifts 2 Phi by pi for a base index below the layer's (a soap film, black when thin).
+//! 10. Wave optics gives a lossless layer on a perfect reflector the reflectance 1 at every
+//!     wavelength; the colours here come from stopping after one traversal. The model convinces, it
+//!     does not predict.
+
+mod prepared;
+mod sampling;
+#[cfg(test)]
+mod tests;
+
+use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo};
+use crate::bsdf::mixture::Mixture;
+use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::precision::Precision;
+use crate::bsdf::values::{Bounds, Values};
+use crate::error::Error;
+use prepared::Prepared;
+
+/// The model; see the module's documentation.
+pub struct Layered;
+
+const ETA: usize = 0;
+const AMBIENT_ETA: usize = 1;
+const EXPONENT_REFLECTION: usize = 2;
+const EXPONENT_TRANSMISSION: usize = 3;
+const THICKNESS_NM: usize = 4;
+const BASE_NORMAL: usize = 5;
+const BASE: usize = 6;
+const SPECULAR_WEIGHT: usize = 7;
+const DIFFUSE_WEIGHT: usize = 8;
+const VARIANT: usize = 9;
+const PHASE_SHIFT: usize = 10;
+
+const VARIANT_PAPER: usize = 1;
+const PAPER: Choice = Choice {
+    param: VARIANT,
+    choice: VARIANT_PAPER,
+};
+const PHASE_SHIFT_HALF_WAVE: usize = 1;
+
+const MIRROR_LOBE: usize = 0;
+/// The refracted lobes of red, green and blue are this and the next two.
+const REFRACTED_LOBE: usize = 1;
+const DIFFUSE_LOBE: usize = 4;
+
+const GLOSSY: Flags = Flags::REFLECTION.with(Flags::GLOSSY);
+
+impl Model for Layered {
+    const INFO: ModelInfo = ModelInfo {
+        name: c"layered",
+        summary: c"A thin layer on an object: reflection, one traversal, and their interference at three wavelengths.",
+        source: c"Granier and Heidrich 2002, A Simple Layered RGB BRDF Model",
+        params: &[
+            ParamInfo::rgb(c"eta", c"Refractive index of the layer at 645, 525 and 445 nm.", [1.0, 4.0], 1.5).fixed(),
+            ParamInfo::number(c"ambient_eta", c"Refractive index outside.", [1.0, 4.0], 1.0).fixed(),
+            ParamInfo::number(c"exponent_reflection", c"Phong exponent of the upper boundary, e0; 0 reflects to the whole hemisphere.", [0.0, 1e5], 50.0).fixed(),
+            ParamInfo::number(c"exponent_transmission", c"Phong exponent of the lower boundary, e1, inside the layer.", [0.0, 1e5], 50.0).fixed(),
+            ParamInfo::number(c"thickness_nm", c"Thickness of the layer.", [0.0, 1e5], 300.0).in_unit(c"nm"),
+            ParamInfo::direction(c"base_normal", c"Normal of the lower boundary in the shading frame; (0, 0, 1): parallel boundaries.", 0.05),
+            ParamInfo::rgb(c"base", c"Reflectance of the lower boundary, RGB.", [0.0, 1.0], 1.0),
+            ParamInfo::number(c"specular_weight", c"Weight of the specular part; in energy, specular_weight + diffuse_weight <= 1.", [0.0, 1.0], 0.5).fixed(),
+            ParamInfo::number(c"diffuse_weight", c"Weight of the diffuse part.", [0.0, 1.0], 0.5).fixed(),
+            ParamInfo::choice(c"variant", c"energy: reciprocal, albedo <= 1; paper: the printed formulas.", &[c"energy", c"paper"]),
+            ParamInfo::choice(c"phase_shift", c"half_wave for a base whose index is below the layer's.", &[c"none", c"half_wave"]),
+        ],
+        lobes: &[
+            LobeInfo { name: c"mirror", flags: GLOSSY },
+            LobeInfo { name: c"refracted red", flags: GLOSSY },
+            LobeInfo { name: c"refracted green", flags: GLOSSY },
+            LobeInfo { name: c"refracted blue", flags: GLOSSY },
+            LobeInfo::DIFFUSE,
+        ],
+        not_reciprocal: Some(Exception {
+            cases: &[&[PAPER]],
+            reason: c"variant = paper: the Fresnel factor takes the light's cosine alone, and the two crossings of the upper boundary take cosines in different media",
+        }),
+        not_conserving: Some(Exception {
+            cases: &[&[PAPER]],
+            reason: c"variant = paper: the lobes are not normalised, and the diffuse part reaches 2 / pi",
+        }),
+        ..ModelInfo::PLAIN
+    };
+
+    fn check(bounds: &Bounds) -> Result<(), Error> {
+        let upper = &bounds.greatest;
+        let specular = upper.number(SPECULAR_WEIGHT);
+        let diffuse = upper.number(DIFFUSE_WEIGHT);
+        let sum = specular + diffuse;
+        if upper.choice(VARIANT) != VARIANT_PAPER && sum > 1.0 {
+            return Err(Error::out_of_range(format!(
+                "specular_weight + diffuse_weight = {specular} + {diffuse} = {sum} exceeds 1, \
+                 which variant energy does not allow (variant paper does)"
+            )));
+        }
+        Ok(())
+    }
+
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        Ok(Box::new(Mixture(Prepared::new(values))))
+    }
+}

@@ -1,0 +1,148 @@
+//! Importance sampling of the layered model: the mirror lobe, one refracted lobe per channel, and
+//! the diffuse part, chosen in proportion to their estimated shares.
+//!
+//! Interference needs no lobe of its own: (R + T + 2 cos sqrt(R T)) / 2 <= R + T, so a mixture of
+//! the lobes of R and of T bounds it.
+
+use super::super::power_lobe::{estimated_integral, mean, sample_about, smooth_cosine};
+use super::prepared::{Prepared, Shapes};
+use super::{DIFFUSE_LOBE, MIRROR_LOBE, REFRACTED_LOBE};
+use crate::bsdf::model::{MAX_LOBES, PerLobe, Scattering, normalized};
+use crate::num::{Lane, PI, Real, Rgb, Vec3, warp};
+use crate::optics::schlick;
+
+impl<T: Lane> Scattering<T> for Prepared<T> {
+    #[inline(always)]
+    fn vary(&mut self, param: usize, value: [T; 3]) {
+        self.set(param, value);
+    }
+
+    #[inline(always)]
+    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        self.eval_shapes(wo, wi).0
+    }
+
+    #[inline(always)]
+    fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
+        let (value, shapes) = self.eval_shapes(wo, wi);
+        (value, self.densities(wi, shapes.as_ref()))
+    }
+
+    #[inline(always)]
+    fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+        let diffuse = self.diffuse_weight * self.diffuse_scale() * T::new(PI);
+        let refracted = T::channels(self.refracted_shares(wo));
+        let mut shares = [T::new(0.0); MAX_LOBES];
+        shares[MIRROR_LOBE] = self.specular_weight * self.mirror_share(wo);
+        for (c, share) in refracted.into_iter().enumerate() {
+            shares[REFRACTED_LOBE + c] = self.specular_weight * share;
+        }
+        shares[DIFFUSE_LOBE] = diffuse * mean(T::channels(self.rho_d));
+        normalized(shares)
+    }
+
+    #[inline(always)]
+    fn sample(&self, lobe: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
+        match lobe {
+            MIRROR_LOBE => self.sample_mirror(wo, u),
+            DIFFUSE_LOBE => warp::cosine_hemisphere(u[0], u[1]),
+            _ => self.sample_refracted(lobe - REFRACTED_LOBE, wo, u),
+        }
+    }
+}
+
+impl<T: Lane> Prepared<T> {
+    /// The density of each lobe at wi.
+    #[inline(always)]
+    fn densities(&self, wi: Vec3<T>, shapes: Option<&Shapes<T>>) -> PerLobe<T> {
+        let mut densities = [T::new(0.0); MAX_LOBES];
+        let diffuse = warp::cosine_hemisphere_pdf(wi.z);
+        densities[DIFFUSE_LOBE] = diffuse;
+        let Some(shapes) = shapes else {
+            return densities;
+        };
+        let mirror = shapes.mirror() * warp::power_cosine_normalization(self.exponent_reflection);
+        densities[MIRROR_LOBE] = T::select(self.is_hemispherical(), diffuse, mirror);
+        // cos_i dw_i = (r1 / r0)^2 cos_ii dw_ii turns the density inside into the one outside.
+        let zero = T::Rgb::new(0.0);
+        let normalization = warp::power_cosine_normalization(self.exponent_transmission);
+        let jacobian = self.upper.compression * wi.z.gray() / shapes.cos_ii;
+        let refracted = shapes.refracted();
+        let refracted = T::Rgb::select(
+            refracted.gt(zero),
+            refracted * normalization.gray() * jacobian,
+            zero,
+        );
+        densities[REFRACTED_LOBE..][..3].copy_from_slice(&T::channels(refracted));
+        densities
+    }
+
+    #[inline(always)]
+    fn is_hemispherical(&self) -> T::Mask {
+        self.exponent_reflection.equals(T::new(0.0))
+    }
+
+    /// About the mirror direction of wo, or over the whole hemisphere for exponent 0.
+    #[inline(always)]
+    fn sample_mirror(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
+        let lobe = sample_about(wo.mirrored(), self.exponent_reflection, u);
+        Vec3::select(
+            self.is_hemispherical(),
+            warp::cosine_hemisphere(u[0], u[1]),
+            lobe,
+        )
+    }
+
+    /// The viewer's ray enters the layer, is mirrored at the lower boundary, spreads by the lobe
+    /// inside, and is refracted out again with the index of channel c.
+    #[inline(always)]
+    fn sample_refracted(&self, c: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
+        let zero = T::new(0.0);
+        let interface = self.upper.interface.channel(c);
+        let axis = interface.inside(wo).mirrored_about(self.base_normal);
+        let a = sample_about(axis, self.exponent_transmission, u);
+        let possible = a.z.gt(zero) & a.dot(self.base_normal).gt(zero);
+        Vec3::select(possible, interface.outside(a), Vec3::zero())
+    }
+
+    /// Estimated albedo of R. Like that of T it lacks the weight and the division by 2: R + T is
+    /// what constructive interference reaches, and the diffuse part competes with that.
+    #[inline(always)]
+    fn mirror_share(&self, wo: Vec3<T>) -> T {
+        let e0 = self.exponent_reflection;
+        // A broad lobe sees other incidences than the mirror's: 1/21 is the mean of Schlick's
+        // (1 - cos)^5 over the hemisphere (GH02 eq. 12).
+        let spread = T::new(1.0 / 21.0) / (e0 + T::new(1.0));
+        let fresnel = schlick(self.upper.f0, wo.z.gray())
+            + (T::Rgb::new(1.0) - self.upper.f0) * spread.gray();
+        self.scale_reflection * mean(T::channels(fresnel)) * estimated_integral(e0, wo.z)
+    }
+
+    /// Estimated albedo of T: per channel the third that it contributes to the mean.
+    #[inline(always)]
+    fn refracted_shares(&self, wo: Vec3<T>) -> T::Rgb {
+        let (zero, one, half) = (T::Rgb::new(0.0), T::Rgb::new(1.0), T::Rgb::new(0.5));
+        let e1 = self.exponent_transmission.gray();
+        let n1 = self.base_normal.gray();
+        let b = self.upper.interface.inside(wo.gray());
+        let axis = b.mirrored_about(n1);
+        // Part of the lobe inside the critical cone: a sigmoid of the axis' distance from it in
+        // units of the lobe's spread, with tails heavy enough never to starve what remains.
+        let critical = self.upper.interface.critical_cosine_squared().sqrt();
+        let distance = (axis.z - critical) * (e1 + T::Rgb::new(2.0)).sqrt();
+        let inside = half + half * distance / (one + distance.squared()).sqrt();
+        let exit = smooth_cosine(e1, self.upper.interface.outside(axis).z).min(one);
+        let crossings =
+            (one - schlick(self.upper.f0, wo.z.gray())) * (one - schlick(self.upper.f0, exit));
+        let lobe = estimated_integral(e1, axis.z.max(critical)) * inside;
+        // In `paper` the lobe is measured inside, where directions are denser than outside.
+        let density = if self.is_paper {
+            one / self.upper.compression
+        } else {
+            one
+        };
+        let scale = (self.scale_transmission * T::new(1.0 / 3.0)).gray();
+        let shares = scale * self.base * crossings * lobe * density;
+        T::Rgb::select(b.z.gt(zero) & b.dot(n1).gt(zero), shares, zero)
+    }
+}

@@ -1,0 +1,87 @@
+//! # `metallic_roughness`: the material of textures and interchange formats
+//!
+//! A base colour, how metallic and how rough: the parametrisation of Burley 2012 ("Physically-Based
+//! Shading at Disney"), of glTF 2.0 and of the lecture's 25 spheres. Every number may come from a
+//! texture. Use it for assets authored that way; for a metal's measured colour, a film or another
+//! distribution there is `microfacet`.
+//!
+//! **Highlight**: D G F / (4 (n.l)(n.v)) with GGX (Walter et al. 2007, eq. 33), height-correlated
+//! Smith masking (Heitz 2014, eq. 99) and Schlick's F. alpha = roughness^2, and at least 1e-4. F0 is
+//! ((eta - 1) / (eta + 1))^2 of a dielectric (`specular` = index) or given (f0), the base colour of a
+//! metal, and between them in proportion to `metallic`; F90 is 1, also for an index of 1. A ratio of
+//! indices below 1 is not offered: metals have no F0 by that formula, as they absorb.
+//!
+//! **Diffuse part**: dielectrics only, so in proportion to 1 - metallic, with the base colour as
+//! reflectance: f_d (1 - E(wo)) (1 - E(wi)) / (1 - E_avg), where E is the highlight's albedo for the
+//! dielectric F0, E_avg its mean, and f_d one of
+//!
+//! - `lambert`;
+//! - `oren_nayar`, the full form, sigma = diffuse_roughness in radians;
+//! - `disney`, roughness = diffuse_roughness.
+//!
+//! The product is that of Kelemen and Szirmay-Kalos 2001 ("A Microfacet Based Coupled
+//! Specular-Matte BRDF Model with Importance Sampling", section 2.2): what the highlight leaves over, the
+//! same from both sides. E comes from a table (`microfacet/energy.rs`) made at creation.
+//!
+//! **Energy**: the albedo never exceeds 1 by more than the table's error, 1e-3. For base colour 1 and
+//! `lambert` a dielectric reflects everything to within that error, a metal what masking leaves: at
+//! least 0.89, 0.83, 0.62 and 0.30 at roughness 0.25, 0.5, 0.75 and 1. `oren_nayar` and `disney` return
+//! more than they receive where the base colour is near 1; they are divided by a bound of what they
+//! return if that exceeds 1, for base colour 1 by up to 1.06 and 1.6 (F0 below 0.5; as F0 nears 1, when
+//! little is left for them, by up to 3.4).
+//! No multiple scattering is added to metals: rough ones are darker than real.
+
+mod surface;
+
+use crate::bsdf::info::{LobeInfo, ModelInfo, ParamInfo};
+use crate::bsdf::mixture::Mixture;
+use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::precision::Precision;
+use crate::bsdf::values::Values;
+use surface::Prepared;
+
+/// The model; see the module's documentation.
+pub struct MetallicRoughness;
+
+const BASE_COLOR: usize = 0;
+const METALLIC: usize = 1;
+const ROUGHNESS: usize = 2;
+const SPECULAR: usize = 3;
+const ETA: usize = 4;
+const F0: usize = 5;
+const DIFFUSE: usize = 6;
+const DIFFUSE_ROUGHNESS: usize = 7;
+
+/// The choices of `specular`.
+const INDEX: usize = 0;
+
+/// The choices of `diffuse`.
+const OREN_NAYAR: usize = 1;
+const DISNEY: usize = 2;
+
+const DIFFUSE_LOBE: usize = 0;
+const SPECULAR_LOBE: usize = 1;
+
+impl Model for MetallicRoughness {
+    const INFO: ModelInfo = ModelInfo {
+        name: c"metallic_roughness",
+        summary: c"Base colour, metallic and roughness: a GGX highlight over a diffuse part that gets what it leaves.",
+        source: c"Burley 2012; Walter et al. 2007; Heitz 2014; Kelemen and Szirmay-Kalos 2001, section 2.2",
+        params: &[
+            ParamInfo::rgb(c"base_color", c"Reflectance of a dielectric's diffuse part, F0 of a metal, RGB.", [0.0, 1.0], 0.5),
+            ParamInfo::number(c"metallic", c"0 a dielectric, 1 a metal.", [0.0, 1.0], 0.0),
+            ParamInfo::number(c"roughness", c"Of the highlight: its square is alpha, at least 1e-4.", [0.0, 1.0], 0.5),
+            ParamInfo::choice(c"specular", c"Whether eta or f0 gives the dielectric's reflectance.", &[c"index", c"f0"]),
+            ParamInfo::number(c"eta", c"Refractive index of the dielectric (specular index).", [1.0, 3.0], 1.5),
+            ParamInfo::number(c"f0", c"Reflectance of the dielectric at normal incidence (specular f0).", [0.0, 1.0], 0.04),
+            ParamInfo::choice(c"diffuse", c"Form of the diffuse part.", &[c"lambert", c"oren_nayar", c"disney"]),
+            ParamInfo::number(c"diffuse_roughness", c"Of the diffuse part: oren_nayar's sigma in radians, or disney's roughness.", [0.0, 1.0], 0.0),
+        ],
+        lobes: &[LobeInfo::DIFFUSE, LobeInfo::SPECULAR],
+        ..ModelInfo::PLAIN
+    };
+
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        Ok(Box::new(Mixture(Prepared::new(values))))
+    }
+}

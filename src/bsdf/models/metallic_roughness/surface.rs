@@ -1,0 +1,249 @@
+//! The compiled model, and the surface that it is for one call.
+
+use super::{
+    BASE_COLOR, DIFFUSE, DIFFUSE_LOBE, DIFFUSE_ROUGHNESS, DISNEY, ETA, F0, INDEX, METALLIC,
+    OREN_NAYAR, ROUGHNESS, SPECULAR, SPECULAR_LOBE,
+};
+use crate::bsdf::mixture::Surfaces;
+use crate::bsdf::model::{MAX_LOBES, PerLobe, Scattering, normalized};
+use crate::bsdf::models::disney_diffuse;
+use crate::bsdf::models::microfacet::distribution::Normals;
+use crate::bsdf::models::microfacet::energy::{Albedo, Energy, LEAST_ALPHA, Reflected, Row};
+use crate::bsdf::models::microfacet::ggx::Ggx;
+use crate::bsdf::models::microfacet::masking::{Masking, Pair};
+use crate::bsdf::models::oren_nayar::Facets;
+use crate::bsdf::models::power_lobe::mean;
+use crate::bsdf::precision::Precision;
+use crate::bsdf::values::Values;
+use crate::num::{Lane, PI, Real, Rgb, Vec3, warp};
+use crate::optics::{normal_reflectance, schlick};
+
+/// Least divisor 1 - E_avg: the table's error. Below it, with F0 within 1e-3 of 1, the diffuse part
+/// is darker than it could be.
+const LEAST_REMAINDER: f64 = 1e-3;
+
+/// Least share of the highlight in sampling: where the table's error may hide it, it is still found.
+const LEAST_SHARE: f64 = 1e-3;
+
+/// The compiled model.
+pub(super) struct Prepared<T: Lane> {
+    energy: Energy<T>,
+    settings: Settings<T>,
+}
+
+/// The diffuse part's form and what it needs.
+#[derive(Clone, Copy)]
+enum Diffuse<T> {
+    Lambert,
+    OrenNayar(Facets<T>),
+    Disney(T),
+}
+
+#[derive(Clone, Copy)]
+struct Settings<T: Lane> {
+    base_color: T::Rgb,
+    metallic: T,
+    alpha: T,
+    row: Row<T>,
+    /// Whether `f0` follows from the index.
+    is_by_index: bool,
+    /// Of the dielectric.
+    f0: T,
+    diffuse: Diffuse<T>,
+}
+
+impl<T: Precision> Prepared<T> {
+    pub(super) fn new(values: &Values<T>) -> Self {
+        let lobe = |alpha, wo, u| {
+            let normals = Ggx::isotropic(alpha);
+            Reflected::by_normals(&normals, Masking::Smith, [alpha; 2], wo, u)
+        };
+        let alpha = alpha_of(values.number(ROUGHNESS));
+        let energy = if values.varies(ROUGHNESS) {
+            Energy::over_alpha(lobe)
+        } else {
+            Energy::of_alpha(alpha, |wo, u| lobe(alpha, wo, u))
+        };
+        let is_by_index = values.choice(SPECULAR) == INDEX;
+        let roughness = values.number(DIFFUSE_ROUGHNESS);
+        let settings = Settings {
+            base_color: T::rgb(values.rgb(BASE_COLOR)),
+            metallic: values.number(METALLIC),
+            alpha,
+            row: energy.row(alpha),
+            is_by_index,
+            f0: if is_by_index {
+                normal_reflectance(T::new(1.0), values.number(ETA))
+            } else {
+                values.number(F0)
+            },
+            diffuse: match values.choice(DIFFUSE) {
+                OREN_NAYAR => Diffuse::OrenNayar(Facets::new(roughness)),
+                DISNEY => Diffuse::Disney(roughness),
+                _ => Diffuse::Lambert,
+            },
+        };
+        Self { energy, settings }
+    }
+}
+
+impl<T: Precision> Surfaces<T> for Prepared<T> {
+    type Surface<'a, L: Lane<Scalar = T>> = Surface<'a, L>;
+
+    #[inline(always)]
+    fn surface<L: Lane<Scalar = T>>(&self) -> Surface<'_, L> {
+        let settings = &self.settings;
+        Surface {
+            energy: &self.energy,
+            settings: Settings {
+                base_color: L::splat_rgb(settings.base_color),
+                metallic: L::splat(settings.metallic),
+                alpha: L::splat(settings.alpha),
+                row: settings.row.splat(),
+                is_by_index: settings.is_by_index,
+                f0: L::splat(settings.f0),
+                diffuse: match &settings.diffuse {
+                    Diffuse::Lambert => Diffuse::Lambert,
+                    Diffuse::OrenNayar(facets) => Diffuse::OrenNayar(facets.splat()),
+                    Diffuse::Disney(roughness) => Diffuse::Disney(L::splat(*roughness)),
+                },
+            },
+        }
+    }
+}
+
+#[inline(always)]
+fn alpha_of<T: Real>(roughness: T) -> T {
+    roughness.squared().max(T::new(LEAST_ALPHA))
+}
+
+/// A surface for one call, or as many as there are lanes.
+pub(super) struct Surface<'a, T: Lane> {
+    energy: &'a Energy<T::Scalar>,
+    settings: Settings<T>,
+}
+
+impl<P: Precision, T: Lane<Scalar = P>> Surface<'_, T> {
+    /// F0 of the highlight: from the dielectric's to the base colour.
+    #[inline(always)]
+    fn specular_f0(&self) -> T::Rgb {
+        let Settings {
+            base_color,
+            metallic,
+            f0,
+            ..
+        } = self.settings;
+        (f0 * (T::new(1.0) - metallic)).gray() + base_color * metallic.gray()
+    }
+
+    #[inline(always)]
+    fn albedo_at(&self, w: Vec3<T>) -> Albedo<T> {
+        self.energy.albedo(&self.settings.row, w.z)
+    }
+
+    /// 1 - E of the dielectric.
+    #[inline(always)]
+    fn remainder(&self, albedo: &Albedo<T>) -> T {
+        let one = T::new(1.0);
+        one - albedo.under_schlick(self.settings.f0, one)
+    }
+
+    /// The factor of the diffuse part's own value.
+    #[inline(always)]
+    fn coupling(&self, wo: Vec3<T>, wi: Vec3<T>) -> T {
+        let both = self.remainder(&self.albedo_at(wo)) * self.remainder(&self.albedo_at(wi));
+        let mean = self.remainder(&self.settings.row.mean);
+        let is_dielectric = T::new(1.0) - self.settings.metallic;
+        is_dielectric * both / mean.max(T::new(LEAST_REMAINDER))
+    }
+
+    /// f_d |wi.z|, divided by what it returns where that might exceed 1.
+    #[inline(always)]
+    fn diffuse(&self, wo: Vec3<T>, wi: Vec3<T>) -> T::Rgb {
+        let base_color = self.settings.base_color;
+        let (value, greatest) = match self.settings.diffuse {
+            Diffuse::Lambert => return base_color * (wi.z * T::new(1.0 / PI)).gray(),
+            Diffuse::OrenNayar(facets) => (
+                facets.full(base_color, wo, wi),
+                facets.albedo_at_horizon(base_color),
+            ),
+            Diffuse::Disney(roughness) => (
+                base_color * disney_diffuse::value(roughness, wo, wi).gray(),
+                base_color * disney_diffuse::greatest_albedo(roughness).gray(),
+            ),
+        };
+        // With F0 near 1 the remainder of E lies at grazing angles, where these forms are brightest:
+        // our own bound, tested over the whole range of parameters.
+        let steep = T::new(0.0035) / (T::new(1.002) - self.settings.f0);
+        value / (greatest + base_color * steep.gray()).max(T::Rgb::new(1.0))
+    }
+}
+
+impl<P: Precision, T: Lane<Scalar = P>> Scattering<T> for Surface<'_, T> {
+    #[inline(always)]
+    fn vary(&mut self, param: usize, value: [T; 3]) {
+        let settings = &mut self.settings;
+        let number = value[0];
+        match param {
+            BASE_COLOR => settings.base_color = T::rgb(value),
+            METALLIC => settings.metallic = number,
+            ROUGHNESS => {
+                settings.alpha = alpha_of(number);
+                settings.row = self.energy.row(settings.alpha);
+            }
+            ETA if settings.is_by_index => settings.f0 = normal_reflectance(T::new(1.0), number),
+            F0 if !settings.is_by_index => settings.f0 = number,
+            DIFFUSE_ROUGHNESS => match &mut settings.diffuse {
+                Diffuse::Lambert => {}
+                Diffuse::OrenNayar(facets) => *facets = Facets::new(number),
+                Diffuse::Disney(roughness) => *roughness = number,
+            },
+            _ => {}
+        }
+    }
+
+    #[inline(always)]
+    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+        self.eval_with_densities(wo, wi).0
+    }
+
+    #[inline(always)]
+    fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
+        let alpha = self.settings.alpha;
+        let normals = Ggx::isotropic(alpha);
+        let pair = Pair::new(wo, wi);
+        let masking = normals.smith(&pair);
+        let highlight = normals.density_between(&pair) * masking;
+        let fresnel = schlick(self.specular_f0(), pair.cos_half.gray());
+        let diffuse = self.diffuse(wo, wi) * self.coupling(wo, wi).gray();
+        let value = T::channels(fresnel * highlight.gray() + diffuse);
+        let mut densities = [T::new(0.0); MAX_LOBES];
+        densities[DIFFUSE_LOBE] = warp::cosine_hemisphere_pdf(wi.z);
+        densities[SPECULAR_LOBE] = normals.reflected_density(&pair);
+        (value, densities)
+    }
+
+    /// The albedo of each part, that of the highlight from the table.
+    #[inline(always)]
+    fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+        let one = T::new(1.0);
+        let albedo = self.albedo_at(wo);
+        let f0 = mean(T::channels(self.specular_f0()));
+        let reflectance = mean(T::channels(self.settings.base_color));
+        let mut shares = [T::new(0.0); MAX_LOBES];
+        shares[DIFFUSE_LOBE] =
+            (one - self.settings.metallic) * reflectance * self.remainder(&albedo);
+        shares[SPECULAR_LOBE] = albedo.under_schlick(f0, one).max(T::new(LEAST_SHARE));
+        normalized(shares)
+    }
+
+    #[inline(always)]
+    fn sample(&self, lobe: usize, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
+        if lobe == DIFFUSE_LOBE {
+            warp::cosine_hemisphere(u[0], u[1])
+        } else {
+            let h = Ggx::isotropic(self.settings.alpha).sample(wo, u);
+            wo.mirrored_about(h)
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! What masking takes away, given back: light that facets reflect onto other facets.
+//!
+//! Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks": with E(mu) the albedo for
+//! F = 1 and Eavg its mean 2 integral E(mu) mu dmu, the lobe
+//!
+//! f = (1 - E(n.v)) (1 - E(n.l)) / (pi (1 - Eavg))
+//!
+//! returns the rest of a white surface: their sum has the albedo 1. What has been reflected k times more
+//! has the colour Favg^k, Favg the mean of F over the hemisphere of a facet, and a share (1 - Eavg)^k
+//! has not left before. The sum of the series from k = 1, times the colour Favg and the share Eavg with
+//! which the last facet lets go, over 1 - Eavg for which the lobe is made, is
+//!
+//! Favg^2 Eavg / (1 - Favg (1 - Eavg)):
+//!
+//! Hill 2018, "A Multi-Faceted Exploration (Part 2)", with one power of Favg more than the course notes,
+//! in which light that is reflected twice has the colour of one reflection.
+
+use super::energy::{Energy, Row};
+use super::fresnel::{Facets, Fresnel};
+use crate::bsdf::precision::Precision;
+use crate::error::Error;
+use crate::film::Film;
+use crate::num::{Lane, Rgb, Vec3, each, warp};
+
+/// Least divisor 1 - Eavg, a tenth of the table's error: of smoother surfaces there is nothing to give
+/// back.
+const LEAST_LOSS: f64 = 1e-4;
+
+/// The part that is the same for all calls.
+pub(super) struct Compensation<T> {
+    pub energy: Energy<T>,
+    pub average: Average<T>,
+}
+
+/// The lobe for one call.
+#[derive(Clone, Copy)]
+pub(super) struct Returned<'a, T: Lane> {
+    energy: &'a Energy<T::Scalar>,
+    row: Row<T>,
+    /// Colour over 1 - Eavg.
+    color: Rgb<T>,
+}
+
+impl<T: Precision> Compensation<T> {
+    #[inline(always)]
+    pub fn returned<L: Lane<Scalar = T>>(
+        &self,
+        alpha: L,
+        fresnel: &Fresnel<'_, L>,
+    ) -> Returned<'_, L> {
+        let one = L::new(1.0);
+        let row = self.energy.row(alpha);
+        let escaping = row.mean.whole;
+        let lost = one - escaping;
+        let divisor = lost.max(L::new(LEAST_LOSS));
+        let color = each!(self.average.of(fresnel), |mean| {
+            let sum = mean.squared() * escaping / (one - mean * lost);
+            sum / divisor
+        });
+        Returned {
+            energy: &self.energy,
+            row,
+            color,
+        }
+    }
+}
+
+impl<T: Precision, L: Lane<Scalar = T>> Returned<'_, L> {
+    /// E for F = 1.
+    #[inline(always)]
+    pub fn albedo(&self, cos_theta: L) -> L {
+        self.energy.albedo(&self.row, cos_theta).whole
+    }
+
+    /// 1 - E
+    #[inline(always)]
+    fn lost(&self, w: Vec3<L>) -> L {
+        L::new(1.0) - self.albedo(w.z)
+    }
+
+    /// f(wo, wi) |wi.z|
+    #[inline(always)]
+    pub fn eval(&self, wo: Vec3<L>, wi: Vec3<L>) -> Rgb<L> {
+        let factor = self.lost(wo) * self.lost(wi) * warp::cosine_hemisphere_pdf(wi.z);
+        each!(self.color, |color| color * factor)
+    }
+
+    /// Its albedo for that viewer, but for the divisor's bound.
+    #[inline(always)]
+    pub fn share(&self, wo: Vec3<L>) -> L {
+        let escaping = self.row.mean.whole;
+        let lost = self.lost(wo) * (L::new(1.0) - escaping);
+        crate::bsdf::models::power_lobe::mean(self.color) * lost
+    }
+}
+
+/// The mean of F over the hemisphere, 2 integral F(mu) mu dmu.
+pub(super) enum Average<T> {
+    /// F0 + (F90 - F0) / 21, since 2 integral (1 - mu)^5 mu dmu = 1 / 21.
+    Schlick,
+    /// Of what does not vary.
+    Constant(Rgb<T>),
+    /// Over the film's thickness.
+    Film(Thicknesses<T>),
+}
+
+impl<T: Precision> Average<T> {
+    /// Fails for want of memory.
+    pub fn new(facets: &Facets<T>, is_film_varying: bool) -> Result<Self, Error> {
+        Ok(match facets {
+            Facets::Schlick { .. } => Self::Schlick,
+            Facets::Film { film, .. } if is_film_varying => Self::Film(Thicknesses::new(film)?),
+            _ => Self::Constant(mean_reflectance(&facets.fresnel())),
+        })
+    }
+
+    #[inline(always)]
+    fn of<L: Lane<Scalar = T>>(&self, fresnel: &Fresnel<'_, L>) -> Rgb<L> {
+        match (self, fresnel) {
+            (Self::Constant(mean), _) => each!(*mean, |channel| L::splat(channel)),
+            (Self::Film(table), Fresnel::Film { thickness_nm, .. }) => table.at(*thickness_nm),
+            (_, Fresnel::Schlick { f0, f90 }) => {
+                L::channels(*f0 + (*f90 - *f0) * L::new(1.0 / 21.0).gray())
+            }
+            // No other pair is ever made.
+            _ => [L::new(0.0); 3],
+        }
+    }
+}
+
+/// Midpoints in mu^2, whose measure 2 mu dmu is.
+const COSINES: u32 = 64;
+
+fn mean_reflectance<T: Precision>(fresnel: &Fresnel<'_, T>) -> Rgb<T> {
+    let mut sum = [T::new(0.0); 3];
+    for i in 0..COSINES {
+        let squared = (f64::from(i) + 0.5) / f64::from(COSINES);
+        let reflectance = fresnel.reflectance(T::new(squared.sqrt()));
+        for channel in 0..3 {
+            sum[channel] = sum[channel] + reflectance[channel];
+        }
+    }
+    sum.map(|sum| sum * T::new(1.0 / f64::from(COSINES)))
+}
+
+/// Distance of the table's nodes, nm, if it does not get too long: a fringe of the mean is more than
+/// 100 nm, which leaves an error of 1e-3 of its amplitude.
+const STEP_NM: f64 = 5.0;
+/// The most nodes: fringes of films that are 20 um thick have faded to 1e-2 in the mean.
+const MOST_NODES: f64 = 4096.0;
+
+/// The mean reflectance at equally spaced thicknesses of the film's varying layer.
+pub(super) struct Thicknesses<T> {
+    from: T,
+    per_nm: T,
+    nodes: Box<[Rgb<T>]>,
+}
+
+impl<T: Precision> Thicknesses<T> {
+    fn new(film: &Film) -> Result<Self, Error> {
+        let [from, to] = film.varying_thickness_nm().unwrap_or_default();
+        let pieces = ((to - from) / STEP_NM).ceil().clamp(1.0, MOST_NODES - 1.0);
+        let count = pieces as usize + 1;
+        let mut nodes = Error::reserve(count, "a film's mean reflectance")?;
+        nodes.extend((0..count).map(|i| {
+            let thickness_nm = T::new(from + (to - from) * i as f64 / pieces);
+            mean_reflectance(&Fresnel::Film { film, thickness_nm })
+        }));
+        Ok(Self {
+            from: T::new(from),
+            per_nm: T::new(pieces / (to - from)),
+            nodes: nodes.into(),
+        })
+    }
+
+    /// Linear between the nodes; a thickness outside the range counts as its end.
+    #[inline(always)]
+    fn at<L: Lane<Scalar = T>>(&self, thickness_nm: L) -> Rgb<L> {
+        let (zero, half, one) = (L::new(0.0), L::new(0.5), L::new(1.0));
+        let last = L::new((self.nodes.len() - 2) as f64);
+        let position = ((thickness_nm - L::splat(self.from)) * L::splat(self.per_nm)).max(zero);
+        // At a node either piece will do.
+        let node = (position - half).round().max(zero).min(last);
+        let part = (position - node).min(one);
+        let [a, b] = [
+            L::load_entry(&self.nodes, node),
+            L::load_entry(&self.nodes, node + one),
+        ];
+        each!([0, 1, 2], |channel| a[channel]
+            + (b[channel] - a[channel]) * part)
+    }
+}

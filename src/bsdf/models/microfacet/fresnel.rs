@@ -1,0 +1,129 @@
+//! The Fresnel factor: how much a facet reflects.
+
+use super::{F0, THICKNESS_NM};
+use crate::bsdf::precision::Precision;
+use crate::error::Error;
+use crate::film::{Film, FilmDescription};
+use crate::num::{Lane, Real, Rgb, each};
+use crate::optics::{
+    ConductorPolynomial, Medium, conductor_reflectance, dielectric_reflectance, schlick_between,
+};
+use std::sync::Arc;
+
+/// What facets consist of, with the parameters set; borrows the film.
+#[derive(Clone, Copy)]
+pub(super) enum Fresnel<'a, T: Lane> {
+    /// Schlick's approximation.
+    Schlick { f0: T::Rgb, f90: T::Rgb },
+    /// Exact, transparent.
+    Dielectric { eta: T::Rgb, is_gray: bool },
+    /// Exact, at one index eta + i k per channel.
+    Conductor { eta: T::Rgb, k: T::Rgb },
+    /// The same to within rounding.
+    Polynomial(&'a ConductorPolynomial<<T::Scalar as Lane>::Rgb>),
+    /// By wave optics, spectrally integrated.
+    Film { film: &'a Film, thickness_nm: T },
+}
+
+impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
+    /// The reflectance in \[0, 1\] at the cosine <wo, h>. Colours of films that were asked for
+    /// unclipped are clipped here.
+    #[inline(always)]
+    pub fn reflectance(&self, cos_theta: L) -> Rgb<L> {
+        let cosines = cos_theta.gray();
+        match *self {
+            Self::Schlick { f0, f90 } => L::channels(schlick_between(f0, f90, cosines)),
+            // In lanes one channel may serve all; alone they share a register.
+            Self::Dielectric { eta, is_gray: true } if L::COUNT > 1 => {
+                let [eta, ..] = L::channels(eta);
+                L::channels(dielectric_reflectance(cosines, eta.gray()))
+            }
+            Self::Dielectric { eta, .. } => L::channels(dielectric_reflectance(cosines, eta)),
+            Self::Conductor { eta, k } => {
+                let reflectance = conductor_reflectance(cosines, eta, k);
+                L::channels(reflectance.min(L::Rgb::new(1.0)))
+            }
+            Self::Polynomial(polynomial) => {
+                let reflectance = polynomial.reflectance(cos_theta);
+                L::channels(reflectance.min(L::Rgb::new(1.0)))
+            }
+            Self::Film { film, thickness_nm } => {
+                each!(T::reflectance(film, cos_theta, thickness_nm), |channel| {
+                    channel.max(L::new(0.0)).min(L::new(1.0))
+                })
+            }
+        }
+    }
+
+    /// Replaces the value of a parameter that varies per call; those of other kinds have no effect.
+    #[inline(always)]
+    pub fn vary(&mut self, param: usize, value: [L; 3]) {
+        match self {
+            Self::Schlick { f0, .. } if param == F0 => *f0 = L::rgb(value),
+            Self::Film { thickness_nm, .. } if param == THICKNESS_NM => *thickness_nm = value[0],
+            _ => {}
+        }
+    }
+}
+
+/// What facets consist of, as compiled: the same kinds, owning the film.
+pub(super) enum Facets<T: Lane> {
+    /// [`Fresnel::Schlick`]
+    Schlick { f0: T::Rgb, f90: T::Rgb },
+    /// [`Fresnel::Dielectric`]
+    Dielectric { eta: T::Rgb, is_gray: bool },
+    /// [`Fresnel::Conductor`]
+    Conductor { eta: T::Rgb, k: T::Rgb },
+    /// [`Fresnel::Polynomial`]
+    Polynomial(ConductorPolynomial<T::Rgb>),
+    /// [`Fresnel::Film`]
+    Film { film: Arc<Film>, thickness_nm: T },
+}
+
+impl<T: Precision> Facets<T> {
+    /// Of a named medium without a coating.
+    pub fn of_metal(name: &str) -> Result<Self, Error> {
+        let film = Film::new(&FilmDescription::new(Medium::named(name)?))?;
+        Ok(Self::Film {
+            film: Arc::new(film),
+            thickness_nm: T::new(0.0),
+        })
+    }
+
+    /// See [`Kernel::plan`](crate::bsdf::kernel::Kernel::plan).
+    pub fn plan(&self) -> Option<&'static str> {
+        match self {
+            Self::Dielectric { is_gray: true, .. } => Some("one index for all channels"),
+            Self::Polynomial(_) => Some("conductor by polynomials"),
+            _ => None,
+        }
+    }
+
+    /// For one call.
+    #[inline(always)]
+    pub fn fresnel<L: Lane<Scalar = T>>(&self) -> Fresnel<'_, L> {
+        let splat = L::splat_rgb;
+        match *self {
+            Self::Schlick { f0, f90 } => Fresnel::Schlick {
+                f0: splat(f0),
+                f90: splat(f90),
+            },
+            Self::Dielectric { eta, is_gray } => Fresnel::Dielectric {
+                eta: splat(eta),
+                is_gray,
+            },
+            Self::Conductor { eta, k } => Fresnel::Conductor {
+                eta: splat(eta),
+                k: splat(k),
+            },
+            Self::Polynomial(ref polynomial) => Fresnel::Polynomial(polynomial),
+            Self::Film {
+                ref film,
+                thickness_nm,
+            } => Fresnel::Film {
+                film,
+                thickness_nm: L::splat(thickness_nm),
+            },
+        }
+    }
+}

@@ -1,0 +1,383 @@
+//! # `microfacet`: rough reflection, f = D G F / (4 (n.l)(n.v))
+//!
+//! The surface is made of facets, each a mirror, too small to be seen and large against the wavelength.
+//! Those that turn wi into wo have the normal h between both: D says how many there are, G which part of
+//! them both directions see, F how much they reflect (Torrance and Sparrow 1967, Cook and Torrance 1982,
+//! Walter et al. 2007, eq. 20; the lecture's specular term). Use it for metals, coated or not, and for the
+//! gloss of anything else; not for surfaces whose scratches or flakes can be told apart.
+//!
+//! **D**, normalised: the integral of D(h) (n.h) is 1.
+//! - `ggx`, Trowbridge and Reitz 1975: slopes of an ellipsoid; a sharp highlight with long tails.
+//! - `beckmann`, Beckmann and Spizzichino 1963: normally distributed slopes; no tails.
+//! - `blinn_phong`, Blinn 1977: a power of the cosine, nearly `beckmann`.
+//! - `abc`, Church and Takacs; Löw et al. 2012: a tip, and a tail of any power, `abc_exponent`. The
+//!   lecture prints it without its normalisation, which is added here.
+//! - `sgd`, shifted gamma, Bagher et al. 2012: a tail of power `sgd_p` that an exponential ends.
+//!
+//! **alpha** is the height at the normal: D(n) = 1 / (pi alpha^2) for all of them, so that they can be
+//! exchanged. A roughness slider's alpha is usually its square (Burley 2012). A Phong exponent e has
+//! alpha = sqrt(2 / (e + 2)) (Walter et al. 2007, section 5.2, for the normals' exponent). `ggx` and
+//! `beckmann` can be stretched: by `anisotropy` to alpha / a along and alpha a across, a =
+//! sqrt(1 - 0.9 anisotropy) (Burley 2012), the rougher direction `rotation` turns from +X. alpha = 0 is a
+//! perfect mirror; between 0 and 1e-4 single precision has no digits left, and the description is refused.
+//! The other three have tables for one alpha: theirs cannot vary.
+//!
+//! **G**
+//! - `smith`: exact for the distribution if neighbouring facets do not know of each other, the heights
+//!   that both directions see correlated (Smith 1967; Heitz 2014, eq. 99).
+//! - `schlick`: G1 = n.v / (n.v (1 - k) + k), k = m sqrt(2 / pi) with m = alpha, along a stretched surface
+//!   that of the direction (Schlick 1994; the lecture). Made for `beckmann`, and darker than its `smith`.
+//! - `kelemen`: (n.l)(n.v) / (v.h)^2 (Kelemen and Szirmay-Kalos 2001).
+//! - `cook_torrance`: all facets in V-shaped grooves (Torrance and Sparrow 1967).
+//! - `implicit`: (n.l)(n.v), which darkens even a mirror.
+//!
+//! **F**
+//! - `schlick`: f0 + (f90 - f0) (1 - v.h)^5 (Schlick 1994).
+//! - `dielectric`: exact, `eta` for each channel.
+//! - `conductor`: exact, `eta` and `k` for each channel; or a `metal` by its measured spectrum,
+//!   integrated like a film's.
+//! - `film`: a film's reflectance at v.h and `thickness_nm`, whose rules are those of the `film` model.
+//!   It is clipped to \[0, 1\] for unclipped films too. A film without a table (its plan says so) takes
+//!   some hundred us a call.
+//!
+//! **Energy**: the grooves of `cook_torrance` are a surface that there could be, so the albedo is at most
+//! that of F for every D (Heitz 2014), as with `smith`; `kelemen` and `implicit` are below
+//! it everywhere. `schlick` follows from alpha alone: with `abc`, whose tail is steeper than alpha tells,
+//! albedos pass 100. All combinations are reciprocal. What facets reflect onto other facets is lost: of
+//! white light seen from above half to two thirds for alpha = 1, a tenth and less for alpha = 0.3.
+//! `energy_compensation` gives it back, to 4e-3 of what a white surface should return (6e-4 for `ggx` with
+//! `smith`): see `compensation.rs`.
+//!
+//! **Sampling**: visible normals for `ggx` and `beckmann`, which leaves F G / G1 as the weight, at most 1
+//! with `smith`; D (n.h) for the others, whose weights grow towards the horizon.
+//!
+//! Films are evaluated in single precision, in the instance in double precision too.
+
+pub(crate) mod abc;
+pub(crate) mod beckmann;
+pub(crate) mod blinn_phong;
+mod compensation;
+mod cubics;
+pub(crate) mod distribution;
+pub(crate) mod energy;
+mod fresnel;
+pub(crate) mod ggx;
+pub(crate) mod masking;
+mod prepared;
+mod projected;
+mod quantile;
+mod roughness;
+pub(crate) mod sgd;
+mod slopes;
+mod tabulated;
+
+use self::abc::Abc;
+use self::blinn_phong::BlinnPhong;
+use self::compensation::{Average, Compensation};
+use self::fresnel::Facets;
+use self::masking::Masking;
+use self::roughness::{Normalized, Shape};
+use self::sgd::Sgd;
+use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use crate::bsdf::mixture::Mixture;
+use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::precision::Precision;
+use crate::bsdf::values::{Bounds, Values};
+use crate::error::Error;
+use crate::film::MAX_THICKNESS_NM;
+use crate::optics::ConductorPolynomial;
+use prepared::{Mirror, Rough};
+use std::ffi::CStr;
+use std::sync::Arc;
+
+/// The model; see the module's documentation.
+pub struct Microfacet;
+
+const DISTRIBUTION: usize = 0;
+const MASKING: usize = 1;
+const FRESNEL: usize = 2;
+const ALPHA: usize = 3;
+const ANISOTROPY: usize = 4;
+const ROTATION: usize = 5;
+const F0: usize = 6;
+const F90: usize = 7;
+const ETA: usize = 8;
+const K: usize = 9;
+const METAL: usize = 10;
+const THICKNESS_NM: usize = 11;
+const ABC_EXPONENT: usize = 12;
+const SGD_P: usize = 13;
+const ENERGY_COMPENSATION: usize = 14;
+
+/// The choices of `distribution`.
+const GGX: usize = 0;
+const BECKMANN: usize = 1;
+const BLINN_PHONG: usize = 2;
+const ABC: usize = 3;
+
+/// Choices of `masking`.
+const SCHLICK_MASKING: usize = 1;
+const IMPLICIT: usize = 4;
+
+/// The choices of `fresnel`.
+const SCHLICK: usize = 0;
+const DIELECTRIC: usize = 1;
+const CONDUCTOR: usize = 2;
+const FILM: usize = 3;
+
+/// A choice of `energy_compensation`.
+const OFF: usize = 0;
+
+/// A choice of `metal`.
+const CUSTOM: usize = 0;
+
+/// The choices of `metal`: after the first the names of media.
+const METALS: &[&CStr] = &[
+    c"custom", c"Ag", c"Al", c"Au", c"Cr", c"Cu", c"Fe", c"Ni", c"Pt", c"Ti",
+];
+
+/// Least roughness that is not a mirror's.
+const LEAST_ALPHA: f32 = 1e-4;
+
+/// A mirror has the first, a rough surface the second, and the third with energy compensation.
+const LOBES: &[LobeInfo] = &[
+    LobeInfo {
+        name: c"mirror",
+        flags: Flags::REFLECTION.with(Flags::DELTA),
+    },
+    LobeInfo {
+        name: c"reflection",
+        flags: Flags::REFLECTION.with(Flags::GLOSSY),
+    },
+    LobeInfo {
+        name: c"multiple reflection",
+        flags: Flags::REFLECTION.with(Flags::DIFFUSE),
+    },
+];
+
+/// Numbers of a rough surface's lobes in a sample.
+const REFLECTION_LOBE: usize = 0;
+const RETURNED_LOBE: usize = 1;
+
+impl Model for Microfacet {
+    const INFO: ModelInfo = ModelInfo {
+        name: c"microfacet",
+        summary: c"Reflection by many small facets: distribution of normals, masking and Fresnel factor of choice.",
+        source: c"Torrance and Sparrow 1967; Cook and Torrance 1982; Walter et al. 2007, eq. 20; Heitz 2014",
+        params: &[
+            ParamInfo::choice(
+                c"distribution",
+                c"Distribution of the facets' normals, D.",
+                &[c"ggx", c"beckmann", c"blinn_phong", c"abc", c"sgd"],
+            ),
+            ParamInfo::choice(
+                c"masking",
+                c"Masking and shadowing, G; smith is exact for the distribution.",
+                &[
+                    c"smith",
+                    c"schlick",
+                    c"kelemen",
+                    c"cook_torrance",
+                    c"implicit",
+                ],
+            ),
+            ParamInfo::choice(
+                c"fresnel",
+                c"Fresnel factor, F: schlick takes f0 and f90; dielectric eta; conductor a metal, or eta and k; film a film and thickness_nm.",
+                &[c"schlick", c"dielectric", c"conductor", c"film"],
+            ),
+            ParamInfo::number(c"alpha", c"Roughness: 0 is a perfect mirror, else at least 1e-4; the square of a roughness slider, sqrt(2 / (e + 2)) for a Phong exponent e. Varies for ggx and beckmann.", [0.0, 1.0], 0.3),
+            ParamInfo::number(c"anisotropy", c"Stretch of the highlight, ggx and beckmann only: alpha over and times sqrt(1 - 0.9 anisotropy) along and across.", [0.0, 1.0], 0.0),
+            ParamInfo::number(c"rotation", c"Angle from +X to the rougher axis about +Z.", [0.0, 1.0], 0.0).in_unit(c"turns"),
+            ParamInfo::rgb(c"f0", c"Reflectance at normal incidence, RGB (fresnel schlick).", [0.0, 1.0], 0.04),
+            ParamInfo::rgb(c"f90", c"Reflectance at grazing incidence, RGB (fresnel schlick).", [0.0, 1.0], 1.0).fixed(),
+            ParamInfo::rgb(c"eta", c"Refractive index, RGB (fresnel dielectric, at least 1, and conductor).", [0.01, 10.0], 1.5).fixed(),
+            ParamInfo::rgb(c"k", c"Extinction coefficient, RGB (fresnel conductor).", [0.0, 20.0], 0.0).fixed(),
+            ParamInfo::choice(
+                c"metal",
+                c"Fresnel conductor: custom takes eta and k, a metal its measured spectrum.",
+                METALS,
+            ),
+            ParamInfo::number(c"thickness_nm", c"Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does (fresnel film).", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit(c"nm"),
+            ParamInfo::number(c"abc_exponent", c"Steepness of the tail, the lecture's second parameter (distribution abc).", [0.5, 10.0], 1.2).fixed(),
+            ParamInfo::number(c"sgd_p", c"Power of the tail; 0 is beckmann (distribution sgd).", [0.0, 4.0], 0.44).fixed(),
+            ParamInfo::choice(
+                c"energy_compensation",
+                c"on: light that masking takes away comes back as if reflected by further facets; not for stretched surfaces.",
+                &[c"off", c"on"],
+            ),
+        ],
+        lobes: LOBES,
+        film_thickness: Some(THICKNESS_NM),
+        film_choice: Some(Choice {
+            param: FRESNEL,
+            choice: FILM,
+        }),
+        not_conserving: Some(Exception {
+            cases: &[&[
+                Choice {
+                    param: DISTRIBUTION,
+                    choice: ABC,
+                },
+                Choice {
+                    param: MASKING,
+                    choice: SCHLICK_MASKING,
+                },
+            ]],
+            reason: c"distribution = abc with masking = schlick: the printed k follows from alpha alone, and the tail's facets are steeper",
+        }),
+        ..ModelInfo::PLAIN
+    };
+
+    fn lobes(values: &Values<f32>) -> &'static [LobeInfo] {
+        match (is_mirror(values), values.choice(ENERGY_COMPENSATION)) {
+            (true, _) => &LOBES[..1],
+            (false, OFF) => &LOBES[1..2],
+            (false, _) => &LOBES[1..],
+        }
+    }
+
+    fn check(bounds: &Bounds) -> Result<(), Error> {
+        check(bounds)
+    }
+
+    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+        let facets = facets(values)?;
+        let masking = Masking::ALL[values.choice(MASKING)];
+        if is_mirror(values) {
+            return Ok(Box::new(Mirror { facets, masking }));
+        }
+        let shape = Shape::new(
+            values.number(ALPHA),
+            values.number(ANISOTROPY),
+            values.number(ROTATION),
+            values.number(ANISOTROPY) == T::new(0.0) && !values.varies(ANISOTROPY),
+        );
+        let normals = normals(values);
+        let compensation = if values.choice(ENERGY_COMPENSATION) == OFF {
+            None
+        } else {
+            let average = Average::new(&facets, values.varies(THICKNESS_NM))?;
+            let energy = normals.energy(&shape, masking, values.varies(ALPHA));
+            Some(Compensation { energy, average })
+        };
+        Ok(Box::new(Mixture(Rough {
+            normals,
+            shape,
+            facets,
+            masking,
+            compensation,
+        })))
+    }
+}
+
+fn is_mirror<T: Precision>(values: &Values<T>) -> bool {
+    values.number(ALPHA) == T::new(0.0)
+}
+
+fn normals<T: Precision>(values: &Values<T>) -> Normalized<T> {
+    let of = |param| f64::from(values.number(param).to_f32());
+    match values.choice(DISTRIBUTION) {
+        GGX => Normalized::Ggx,
+        BECKMANN => Normalized::Beckmann,
+        BLINN_PHONG => Normalized::BlinnPhong(Box::new(BlinnPhong::new(of(ALPHA)))),
+        ABC => Normalized::Abc(Box::new(Abc::of(of(ALPHA), of(ABC_EXPONENT)))),
+        _ => Normalized::Sgd(Box::new(Sgd::of(of(ALPHA), of(SGD_P)))),
+    }
+}
+
+fn facets<T: Precision>(values: &Values<T>) -> Result<Facets<T>, Error> {
+    let rgb = |param| T::rgb(values.rgb(param));
+    Ok(match values.choice(FRESNEL) {
+        SCHLICK => Facets::Schlick {
+            f0: rgb(F0),
+            f90: rgb(F90),
+        },
+        DIELECTRIC => {
+            let [r, g, b] = values.rgb(ETA);
+            Facets::Dielectric {
+                eta: rgb(ETA),
+                is_gray: r == g && r == b,
+            }
+        }
+        CONDUCTOR if values.choice(METAL) == CUSTOM => {
+            let (eta, k) = (values.rgb(ETA), values.rgb(K));
+            match ConductorPolynomial::new(eta, k) {
+                Some(polynomial) => Facets::Polynomial(polynomial),
+                None => Facets::Conductor {
+                    eta: T::rgb(eta),
+                    k: T::rgb(k),
+                },
+            }
+        }
+        CONDUCTOR => {
+            let name = METALS[values.choice(METAL)].to_str().unwrap_or_default();
+            Facets::of_metal(name)?
+        }
+        _ => Facets::Film {
+            film: Arc::clone(values.film().expect("validation refuses a lack of it")),
+            thickness_nm: values.number(THICKNESS_NM),
+        },
+    })
+}
+
+/// What is allowed alone but not together.
+fn check(bounds: &Bounds) -> Result<(), Error> {
+    let (least, greatest) = (&bounds.least, &bounds.greatest);
+    let (smoothest, roughest) = (least.number(ALPHA), greatest.number(ALPHA));
+    if smoothest < LEAST_ALPHA && (smoothest > 0.0 || roughest > 0.0) {
+        return Err(Error::out_of_range(format!(
+            "alpha = {smoothest} is below {LEAST_ALPHA}; allowed is exactly 0, a perfect mirror, which \
+             cannot vary, or [{LEAST_ALPHA}, 1]"
+        )));
+    }
+    if least.varies(ALPHA) && roughest == 0.0 {
+        return Err(Error::out_of_range(format!(
+            "varying alpha has the range [0, 0]; allowed is [{LEAST_ALPHA}, 1]"
+        )));
+    }
+    let distribution = least.choice(DISTRIBUTION);
+    if distribution != GGX && distribution != BECKMANN {
+        let ParamKind::Choice { choices } = Microfacet::INFO.params[DISTRIBUTION].kind else {
+            unreachable!("distribution is a choice")
+        };
+        let name = choices[distribution].to_str().unwrap_or_default();
+        if least.varies(ALPHA) {
+            return Err(Error::unsupported(format!(
+                "alpha cannot vary with distribution {name}, whose masking is a table made at creation; \
+                 it can with ggx and beckmann"
+            )));
+        }
+        if greatest.number(ANISOTROPY) > 0.0 {
+            return Err(Error::unsupported(format!(
+                "anisotropy = {} with distribution {name}; only ggx and beckmann can be stretched",
+                greatest.number(ANISOTROPY)
+            )));
+        }
+    }
+    if least.choice(ENERGY_COMPENSATION) != OFF {
+        if greatest.number(ANISOTROPY) > 0.0 {
+            return Err(Error::unsupported(format!(
+                "anisotropy = {} with energy_compensation on, which takes surfaces that look the same \
+                 from all around",
+                greatest.number(ANISOTROPY)
+            )));
+        }
+        if least.choice(MASKING) == IMPLICIT {
+            return Err(Error::unsupported(
+                "energy_compensation on with masking implicit, which darkens even a mirror; it takes \
+                 smith, schlick, kelemen and cook_torrance",
+            ));
+        }
+    }
+    if least.choice(FRESNEL) == DIELECTRIC {
+        let dense = least.rgb(ETA).into_iter().enumerate();
+        if let Some((channel, eta)) = dense.into_iter().find(|(_, eta)| *eta < 1.0) {
+            return Err(Error::out_of_range(format!(
+                "eta[{channel}] = {eta} is outside [1, 10], which fresnel dielectric allows; light comes \
+                 from vacuum"
+            )));
+        }
+    }
+    Ok(())
+}

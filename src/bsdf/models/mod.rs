@@ -1,0 +1,12 @@
+//! The scattering models, one file or folder each.
+
+pub(crate) mod cosine_lobe;
+pub(crate) mod disney_diffuse;
+pub(crate) mod film;
+pub(crate) mod lambert;
+pub(crate) mod layered;
+pub(crate) mod metallic_roughness;
+pub(crate) mod microfacet;
+pub(crate) mod oren_nayar;
+pub(crate) mod phong;
+pub(crate) mod power_lobe;

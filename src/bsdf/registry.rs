@@ -1,0 +1,70 @@
+//! The list of models. A new model adds its line here and nothing anywhere else.
+
+use super::info::{LobeInfo, ModelInfo};
+use super::model::{Compiled, Model};
+use super::models::disney_diffuse::DisneyDiffuse;
+use super::models::film::ThinFilm;
+use super::models::lambert::Lambert;
+use super::models::layered::Layered;
+use super::models::metallic_roughness::MetallicRoughness;
+use super::models::microfacet::Microfacet;
+use super::models::oren_nayar::OrenNayar;
+use super::models::phong::Phong;
+use super::values::{Bounds, Values};
+use crate::error::Error;
+
+static MODELS: [RegisteredModel; 8] = [
+    RegisteredModel::of::<Lambert>(),
+    RegisteredModel::of::<OrenNayar>(),
+    RegisteredModel::of::<DisneyDiffuse>(),
+    RegisteredModel::of::<Phong>(),
+    RegisteredModel::of::<Layered>(),
+    RegisteredModel::of::<ThinFilm>(),
+    RegisteredModel::of::<Microfacet>(),
+    RegisteredModel::of::<MetallicRoughness>(),
+];
+
+/// All models.
+pub fn models() -> &'static [RegisteredModel] {
+    &MODELS
+}
+
+/// The model of that name.
+pub fn find(name: &str) -> Result<&'static RegisteredModel, Error> {
+    let found = MODELS.iter().find(|entry| entry.name() == name);
+    found.ok_or_else(|| Error::unknown("model", name, MODELS.iter().map(RegisteredModel::name)))
+}
+
+/// A registered model: its description and its compiler in either precision.
+pub struct RegisteredModel {
+    /// What the model says about itself.
+    pub info: &'static ModelInfo,
+    /// [`Model::needs_film`].
+    pub needs_film: fn(&Values<f32>) -> bool,
+    /// [`Model::lobes`].
+    pub lobes: fn(&Values<f32>) -> &'static [LobeInfo],
+    /// [`Model::check`].
+    pub check: fn(&Bounds) -> Result<(), Error>,
+    /// [`Model::prepare`] in single precision.
+    pub prepare_f32: fn(&Values<f32>) -> Compiled<f32>,
+    /// [`Model::prepare`] in double precision: the oracle.
+    pub prepare_f64: fn(&Values<f64>) -> Compiled<f64>,
+}
+
+impl RegisteredModel {
+    const fn of<M: Model>() -> Self {
+        Self {
+            info: const { &M::INFO },
+            needs_film: M::needs_film,
+            lobes: M::lobes,
+            check: M::check,
+            prepare_f32: M::prepare,
+            prepare_f64: M::prepare,
+        }
+    }
+
+    /// The model's name.
+    pub fn name(&self) -> &'static str {
+        self.info.name.to_str().unwrap_or_default()
+    }
+}

@@ -1,0 +1,302 @@
+//! Four numbers in double precision side by side, in plain arrays: the compiler makes instructions of
+//! whatever width the processor has, and every width gives the same bits.
+
+use super::super::{Mask, PI, Real};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// Four numbers.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct F64x4([f64; F64x4::COUNT]);
+
+/// A truth value per number: all bits set or none.
+#[derive(Clone, Copy, Debug)]
+pub struct DoublesMask([u64; F64x4::COUNT]);
+
+/// 1.5 * 2^52: adding it rounds to a whole number, which is then in the lowest bits.
+const WHOLE: f64 = 6_755_399_441_055_744.0;
+/// Below this e^x is 0: it would be less than the least normal number.
+const LEAST_EXPONENT: f64 = -708.0;
+/// The greatest argument of exp.
+const GREATEST_EXPONENT: f64 = 709.0;
+/// ln 2 in two parts; the first has so few digits that its products with whole exponents are exact.
+const LN2_HIGH: f64 = 0.693_147_180_369_123_8;
+const LN2_LOW: f64 = 1.908_214_929_270_587_7e-10;
+
+impl F64x4 {
+    /// How many.
+    pub const COUNT: usize = 4;
+
+    /// By their places.
+    #[inline(always)]
+    pub fn from_fn(number: impl FnMut(usize) -> f64) -> Self {
+        Self(std::array::from_fn(number))
+    }
+
+    /// The numbers in their places.
+    #[inline(always)]
+    pub fn to_array(self) -> [f64; Self::COUNT] {
+        self.0
+    }
+
+    /// Their sum.
+    #[inline(always)]
+    pub fn sum(self) -> f64 {
+        let [a, b, c, d] = self.0;
+        (a + c) + (b + d)
+    }
+
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        Self(std::array::from_fn(|i| f(self.0[i])))
+    }
+
+    #[inline(always)]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Self(std::array::from_fn(|i| f(self.0[i], other.0[i])))
+    }
+
+    #[inline(always)]
+    fn compare(self, other: Self, holds: impl Fn(f64, f64) -> bool) -> DoublesMask {
+        let bits = |i: usize| {
+            if holds(self.0[i], other.0[i]) {
+                u64::MAX
+            } else {
+                0
+            }
+        };
+        DoublesMask(std::array::from_fn(bits))
+    }
+
+    /// Cosine and sine of 2 pi x to 1e-11, for |x| < 2^50: Taylor's series about the nearest quarter of a
+    /// turn. The mathematical library would not do lanes, and differs from machine to machine.
+    #[inline(always)]
+    pub fn circle(self) -> [Self; 2] {
+        let whole = Self::new(WHOLE);
+        let shifted = self * Self::new(4.0) + whole;
+        let t = (self - (shifted - whole) * Self::new(0.25)) * Self::new(2.0 * PI);
+        let z = t * t;
+        let series = |inverse: &[f64]| {
+            let first = Self::new(inverse[0]);
+            inverse[1..]
+                .iter()
+                .fold(first, |sum, &c| Self::new(c) - z * sum)
+        };
+        let sine = series(&[
+            1.0 / 39_916_800.0,
+            1.0 / 362_880.0,
+            1.0 / 5040.0,
+            1.0 / 120.0,
+            1.0 / 6.0,
+            1.0,
+        ]) * t;
+        let cosine = series(&[
+            1.0 / 479_001_600.0,
+            1.0 / 3_628_800.0,
+            1.0 / 40_320.0,
+            1.0 / 720.0,
+            1.0 / 24.0,
+            0.5,
+            1.0,
+        ]);
+        let quarter: [u64; Self::COUNT] = shifted.0.map(f64::to_bits);
+        let is_odd = DoublesMask(quarter.map(|q| 0u64.wrapping_sub(q & 1)));
+        let sign = |x: Self| {
+            let flipped = |i: usize| f64::from_bits(x.0[i].to_bits() ^ ((quarter[i] & 2) << 62));
+            Self(std::array::from_fn(flipped))
+        };
+        [
+            sign(Self::select(is_odd, -sine, cosine)),
+            sign(Self::select(is_odd, cosine, sine)),
+        ]
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident) => {
+        impl $trait for F64x4 {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.with(other, $trait::$method)
+            }
+        }
+    };
+}
+
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
+
+impl Neg for F64x4 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(Neg::neg)
+    }
+}
+
+impl BitAnd for DoublesMask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] & other.0[i]))
+    }
+}
+
+impl BitOr for DoublesMask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] | other.0[i]))
+    }
+}
+
+impl Not for DoublesMask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(self.0.map(Not::not))
+    }
+}
+
+impl Mask for DoublesMask {
+    #[inline(always)]
+    fn any(self) -> bool {
+        let [a, b, c, d] = self.0;
+        (a | b | c | d) != 0
+    }
+}
+
+impl Real for F64x4 {
+    type Mask = DoublesMask;
+    const EPSILON: f64 = f64::EPSILON;
+
+    #[inline(always)]
+    fn new(value: f64) -> Self {
+        Self([value; Self::COUNT])
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.map(f64::sqrt)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.map(f64::abs)
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.with(other, Real::min)
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.with(other, Real::max)
+    }
+    #[inline(always)]
+    fn round(self) -> Self {
+        self.map(Real::round)
+    }
+    #[inline(always)]
+    fn is_finite(self) -> DoublesMask {
+        self.abs().lt(Self::new(f64::INFINITY))
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> DoublesMask {
+        self.compare(other, |a, b| a < b)
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> DoublesMask {
+        self.compare(other, |a, b| a <= b)
+    }
+    #[inline(always)]
+    fn equals(self, other: Self) -> DoublesMask {
+        self.compare(other, |a, b| a == b)
+    }
+    #[inline(always)]
+    fn select(mask: DoublesMask, yes: Self, no: Self) -> Self {
+        let chosen = |i: usize| {
+            let (yes, no) = (yes.0[i].to_bits(), no.0[i].to_bits());
+            f64::from_bits((yes & mask.0[i]) | (no & !mask.0[i]))
+        };
+        Self(std::array::from_fn(chosen))
+    }
+
+    /// Relative error 1e-14: x = n ln 2 + r, and Taylor's series of e^r.
+    #[inline(always)]
+    fn exp(self) -> Self {
+        let least = Self::new(LEAST_EXPONENT);
+        let x = self.max(least).min(Self::new(GREATEST_EXPONENT));
+        let whole = Self::new(WHOLE);
+        let shifted = x * Self::new(std::f64::consts::LOG2_E) + whole;
+        let n = shifted - whole;
+        let r = (x - n * Self::new(LN2_HIGH)) - n * Self::new(LN2_LOW);
+        let mut sum = Self::new(1.0);
+        for k in (1..=12).rev() {
+            sum = Self::new(1.0) + r * sum * Self::new(1.0 / f64::from(k));
+        }
+        // The whole number is in the lowest bits, from where a shift lifts it into the exponent.
+        let power = shifted.map(|s| f64::from_bits((s.to_bits().wrapping_add(1023)) << 52));
+        Self::select(self.lt(least), Self::new(0.0), sum * power)
+    }
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        self.map(f64::exp_m1)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        self.map(f64::ln)
+    }
+    #[inline(always)]
+    fn ln_1p(self) -> Self {
+        self.map(f64::ln_1p)
+    }
+    #[inline(always)]
+    fn cos_turns(self) -> Self {
+        self.circle()[0]
+    }
+    #[inline(always)]
+    fn sin_turns(self) -> Self {
+        self.circle()[1]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn circle_is_cosine_and_sine() {
+        for i in -4000..4000 {
+            let turns = f64::from(i) * 0.00713;
+            let (sin, cos) = (2.0 * PI * turns).sin_cos();
+            let found = F64x4::new(turns).circle().map(|x| x.to_array()[1]);
+            assert!((found[0] - cos).abs() < 1e-10, "{turns}");
+            assert!((found[1] - sin).abs() < 1e-10, "{turns}");
+        }
+    }
+
+    #[test]
+    fn exp_is_that_of_the_standard_library() {
+        for i in -70_700..70_900 {
+            let x = f64::from(i) * 0.01;
+            let found = Real::exp(F64x4::new(x)).to_array()[2];
+            assert!((found / x.exp() - 1.0).abs() < 3e-14, "{x}: {found}");
+        }
+        for (x, expected) in [(-709.0, 0.0), (f64::NEG_INFINITY, 0.0), (0.0, 1.0)] {
+            assert_eq!(Real::exp(F64x4::new(x)).to_array(), [expected; 4]);
+        }
+    }
+
+    #[test]
+    fn each_number_is_on_its_own() {
+        let a = F64x4::from_fn(|i| i as f64);
+        let b = F64x4::new(1.5);
+        assert_eq!((a * b - a).to_array(), [0.0, 0.5, 1.0, 1.5]);
+        assert_eq!(
+            F64x4::select(a.lt(b), a, b).to_array(),
+            [0.0, 1.0, 1.5, 1.5]
+        );
+        assert_eq!(a.sum(), 6.0);
+        assert!(a.gt(b).any() && !a.gt(F64x4::new(3.0)).any());
+    }
+}

@@ -1,0 +1,326 @@
+//! Entries of tables for all places at once, and their weighted sums.
+//!
+//! Every sum is, for each place, that of a single look-up: the same products, added in the same order.
+
+#![allow(unsafe_code)]
+
+use super::super::rgb::{TableBlock, Triple, each, weighted};
+use super::super::{Real, TableEntry};
+use super::f32_lanes::{F32Lanes, Instructions, MOST};
+use fearless_simd::prelude::*;
+
+/// Four numbers of [`TableEntry`]'s kind, of each place: one register for each number.
+type Numbers<S> = [F32Lanes<S>; 4];
+
+/// [`whole`](super::super::rgb::whole) of each place.
+#[inline(always)]
+fn whole<S: Instructions>(numbers: F32Lanes<S>) -> S::u32s {
+    let counted: S::u32s = (numbers + F32Lanes::new(8_388_608.0)).0.bitcast();
+    counted & 0x007f_ffff
+}
+
+/// The indices, if each has `after` more entries after it in a table of `length`.
+#[inline(always)]
+fn within<S: Instructions>(index: S::u32s, after: usize, length: usize) -> [u32; MOST] {
+    let Some(last) = length.checked_sub(after + 1) else {
+        outside()
+    };
+    let last = u32::try_from(last).unwrap_or(u32::MAX);
+    if index.simd_gt(last).any_true() {
+        outside();
+    }
+    let mut indices = [0; MOST];
+    index.store_slice(&mut indices[..S::u32s::LEN]);
+    indices
+}
+
+/// Without arguments, which every call would have to get ready.
+#[cold]
+#[inline(never)]
+fn outside() -> ! {
+    panic!("entries outside a table")
+}
+
+/// [`Lane::weighted_row`](super::super::Lane::weighted_row)
+#[inline(always)]
+pub(super) fn weighted_row<S: Instructions>(
+    table: &[TableEntry<f32>],
+    first: F32Lanes<S>,
+    weights: [F32Lanes<S>; 3],
+) -> Triple<F32Lanes<S>> {
+    let index = within::<S>(whole(first), 2, table.len());
+    let weights = each!(weights, |weight| S::TOKEN.spread(weight.0));
+    let start = table.as_ptr().cast();
+    // SAFETY: `within` has found them all in the table.
+    let sums = unsafe {
+        [
+            row_sum::<S>(start, &index, 0, &weights),
+            row_sum::<S>(start, &index, 1, &weights),
+            row_sum::<S>(start, &index, 2, &weights),
+            row_sum::<S>(start, &index, 3, &weights),
+        ]
+    };
+    let [r, g, b, _] = transposed(sums);
+    Triple([r, g, b])
+}
+
+/// [`Lane::weighted_block`](super::super::Lane::weighted_block)
+#[inline(always)]
+pub(super) fn weighted_block<S: Instructions>(
+    table: &[TableEntry<f32>],
+    stride: usize,
+    block: TableBlock<F32Lanes<S>>,
+) -> Triple<F32Lanes<S>> {
+    // No sum overflows if the stride is less than the length, as a slice's bytes are at most isize::MAX.
+    if stride >= table.len() {
+        outside();
+    }
+    let [column, row] = [whole(block.first[0]), whole(block.first[1])];
+    // What wraps is still an index, if another one.
+    let index = within::<S>(row * stride as u32 + column, 2 * stride + 2, table.len());
+    let across = each!(block.across, |weight| S::TOKEN.spread(weight.0));
+    let along = each!(block.along, |weight| S::TOKEN.spread(weight.0));
+    let start = table.as_ptr().cast();
+    // SAFETY: `within` has found them all in the table.
+    let sums = unsafe {
+        [
+            block_sum::<S>(start, stride, &index, 0, &across, &along),
+            block_sum::<S>(start, stride, &index, 1, &across, &along),
+            block_sum::<S>(start, stride, &index, 2, &across, &along),
+            block_sum::<S>(start, stride, &index, 3, &across, &along),
+        ]
+    };
+    let [r, g, b, _] = transposed(sums);
+    Triple([r, g, b])
+}
+
+/// The entries of the places whose number within their quads is `n`.
+///
+/// # Safety
+/// Each index and the two after it must be in the table that begins at `start`.
+#[inline(always)]
+unsafe fn row_sum<S: Instructions>(
+    start: *const [f32; 4],
+    index: &[u32; MOST],
+    n: usize,
+    weights: &[[S::f32s; 4]; 3],
+) -> F32Lanes<S> {
+    // SAFETY: the caller's promise.
+    let entries = unsafe { S::TOKEN.three(start, index, n) };
+    weighted(
+        each!(entries, |entry| F32Lanes::<S>(entry)),
+        each!(weights, |weight| F32Lanes::<S>(weight[n])),
+    )
+}
+
+/// [`row_sum`] of three rows, weighted.
+///
+/// # Safety
+/// All must be in the table that begins at `start`.
+#[inline(always)]
+unsafe fn block_sum<S: Instructions>(
+    start: *const [f32; 4],
+    stride: usize,
+    index: &[u32; MOST],
+    n: usize,
+    across: &[[S::f32s; 4]; 3],
+    along: &[[S::f32s; 4]; 3],
+) -> F32Lanes<S> {
+    // SAFETY: the caller's promise.
+    let rows = unsafe {
+        [
+            row_sum::<S>(start, index, n, across),
+            row_sum::<S>(start.add(stride), index, n, across),
+            row_sum::<S>(start.add(2 * stride), index, n, across),
+        ]
+    };
+    weighted(rows, each!(along, |weight| F32Lanes::<S>(weight[n])))
+}
+
+/// The four numbers of each place's entry, which must be in the table.
+#[inline(always)]
+pub(super) fn entries<S: Instructions>(table: &[[f32; 4]], index: F32Lanes<S>) -> Numbers<S> {
+    let index = within::<S>(whole(index), 0, table.len());
+    let start = table.as_ptr();
+    // SAFETY: `within` has found them all in the table.
+    let found = unsafe {
+        [
+            F32Lanes::<S>(S::TOKEN.entries(start, &index, 0)),
+            F32Lanes::<S>(S::TOKEN.entries(start, &index, 1)),
+            F32Lanes::<S>(S::TOKEN.entries(start, &index, 2)),
+            F32Lanes::<S>(S::TOKEN.entries(start, &index, 3)),
+        ]
+    };
+    transposed(found)
+}
+
+#[inline(always)]
+fn transposed<S: Instructions>([a, b, c, d]: Numbers<S>) -> Numbers<S> {
+    let [a, b, c, d] = S::TOKEN.transposed([a.0, b.0, c.0, d.0]);
+    [F32Lanes(a), F32Lanes(b), F32Lanes(c), F32Lanes(d)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::{Lane, Level, Work};
+    use super::*;
+    use std::panic::catch_unwind;
+
+    const STRIDE: usize = 7;
+
+    /// Colours without a pattern, exact in single precision.
+    fn colors() -> Vec<[f32; 3]> {
+        let number = |i: usize| (i * 2_654_435_761 % 10_007) as f32 / 8192.0 - 0.5;
+        (0..STRIDE * 5)
+            .map(|i| [number(3 * i), number(3 * i + 1), number(3 * i + 2)])
+            .collect()
+    }
+
+    fn table() -> Vec<TableEntry<f32>> {
+        colors().into_iter().map(TableEntry::new).collect()
+    }
+
+    /// Sixteen look-ups by all methods, as many at once as the level does.
+    struct Sixteen<'a> {
+        table: &'a [TableEntry<f32>],
+        fours: &'a [[f32; 4]],
+        threes: &'a [[f32; 3]],
+        /// Column, row and index for the plain entries.
+        first: [[f32; MOST]; 3],
+        weights: [[f32; MOST]; 6],
+    }
+
+    /// By method and number of the place: a row's sum, a block's, and entries of four and three.
+    type Found = [[f32; MOST]; 13];
+
+    impl Work<f32> for Sixteen<'_> {
+        type Output = Found;
+
+        #[inline(always)]
+        fn run<L: Lane<Scalar = f32>>(self) -> Found {
+            let mut found = [[0.0; MOST]; 13];
+            for from in (0..MOST).step_by(L::COUNT) {
+                let places = from..from + L::COUNT;
+                let load = |numbers: &[f32; MOST]| L::load(&numbers[places.clone()]);
+                let [column, row, index] = self.first.each_ref().map(load);
+                let [a, b, c, d, e, f] = self.weights.each_ref().map(load);
+                let block = TableBlock {
+                    first: [column, row],
+                    across: [a, b, c],
+                    along: [d, e, f],
+                };
+                let along_row = L::channels(L::weighted_row(self.table, column, [a, b, c]));
+                let in_block = L::channels(L::weighted_block(self.table, STRIDE, block));
+                let four = L::load_entry(self.fours, index);
+                let three = L::load_entry(self.threes, index);
+                let all = along_row
+                    .into_iter()
+                    .chain(in_block)
+                    .chain(four)
+                    .chain(three);
+                for (found, numbers) in found.iter_mut().zip(all) {
+                    numbers.store(&mut found[places.clone()]);
+                }
+            }
+            found
+        }
+    }
+
+    /// Every place finds what the plain definition finds for it alone, with all sets of instructions; and
+    /// plain entries are held to the table, the first for NaN.
+    #[test]
+    fn places_are_independent() {
+        let (colors, table) = (colors(), table());
+        let fours: Vec<[f32; 4]> = (0..5)
+            .map(|i| [0, 1, 2, 3].map(|c| (10 * i + c) as f32))
+            .collect();
+        let threes: Vec<[f32; 3]> = (0..5)
+            .map(|i| [5, 6, 7].map(|c| (10 * i + c) as f32))
+            .collect();
+        let held = [
+            0.0,
+            4.0,
+            3.0,
+            f32::NAN,
+            -3.0,
+            1e9,
+            f32::INFINITY,
+            f32::NEG_INFINITY,
+        ];
+        let entry = [0, 4, 3, 0, 0, 4, 4, 0];
+        let first = [
+            std::array::from_fn(|i| (i * 3 % (STRIDE - 2)) as f32),
+            std::array::from_fn(|i| (i * 2 % 3) as f32),
+            std::array::from_fn(|i| held[i % 8]),
+        ];
+        let weights: [[f32; MOST]; 6] = [0, 1, 2, 3, 4, 5]
+            .map(|w| std::array::from_fn(|i| ((i * 7 + w * 5) % 23) as f32 / 19.0));
+        for level in Level::all() {
+            let found = level.run(Sixteen {
+                table: &table,
+                fours: &fours,
+                threes: &threes,
+                first,
+                weights,
+            });
+            for i in 0..MOST {
+                let name = level.name();
+                let [column, row] = [first[0][i] as usize, first[1][i] as usize];
+                let sum = |from: usize, c: usize| {
+                    colors[from][c] * weights[0][i]
+                        + colors[from + 1][c] * weights[1][i]
+                        + colors[from + 2][c] * weights[2][i]
+                };
+                for c in 0..3 {
+                    assert_eq!(found[c][i], sum(column, c), "row, {name}, place {i}");
+                    let rows = [0, 1, 2].map(|k| sum((row + k) * STRIDE + column, c));
+                    let all =
+                        rows[0] * weights[3][i] + rows[1] * weights[4][i] + rows[2] * weights[5][i];
+                    assert_eq!(found[3 + c][i], all, "block, {name}, place {i}");
+                    assert_eq!(
+                        found[10 + c][i],
+                        threes[entry[i % 8]][c],
+                        "three, {name}, place {i}"
+                    );
+                }
+                for c in 0..4 {
+                    assert_eq!(
+                        found[6 + c][i],
+                        fours[entry[i % 8]][c],
+                        "four, {name}, place {i}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// What is outside the table is never read, in whichever place it is.
+    #[test]
+    fn outside_panics() {
+        let table = table();
+        for level in Level::all() {
+            for place in 0..MOST {
+                // The last row's third column from the end, and the one after it.
+                for (column, is_inside) in [(STRIDE - 3, true), (STRIDE - 2, false)] {
+                    let mut first = [[0.0; MOST]; 3];
+                    first[0][place] = column as f32;
+                    first[1][place] = 2.0;
+                    let work = Sixteen {
+                        table: &table,
+                        fours: &[[0.0; 4]],
+                        threes: &[[0.0; 3]],
+                        first,
+                        weights: [[0.5; MOST]; 6],
+                    };
+                    let outcome = catch_unwind(|| level.run(work));
+                    assert_eq!(
+                        outcome.is_ok(),
+                        is_inside,
+                        "{}, place {place}",
+                        level.name()
+                    );
+                }
+            }
+        }
+    }
+}

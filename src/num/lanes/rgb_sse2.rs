@@ -1,0 +1,278 @@
+//! Red, green and blue in the four lanes of an SSE2 register, which every x86-64 processor has. The
+//! fourth lane repeats blue, so that it never holds a number that is slow or raises a flag.
+
+#![allow(unsafe_code)]
+
+use super::super::elementary::{self, Single, elementary_methods};
+use super::super::rgb::{TableBlock, scalar_methods, weighted, whole};
+use super::super::{Lane, Mask, Real, TableEntry};
+use std::arch::x86_64::*;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// An expression of SSE2 intrinsics. They are on values, none takes a
+/// pointer; they are unsafe to call merely because other processors might lack the instructions.
+macro_rules! sse2 {
+    ($expression:expr) => {
+        // SAFETY: SSE2 is part of the x86-64 baseline, for which alone this file is compiled.
+        unsafe { $expression }
+    };
+}
+
+/// Three channels in single precision.
+#[derive(Clone, Copy, Debug)]
+pub struct RgbLanes(__m128);
+
+/// A truth value per lane: all bits set or none.
+#[derive(Clone, Copy, Debug)]
+pub struct RgbMask(__m128);
+
+impl Lane for f32 {
+    type Rgb = RgbLanes;
+    #[inline(always)]
+    fn rgb([r, g, b]: [f32; 3]) -> RgbLanes {
+        RgbLanes(sse2!(_mm_setr_ps(r, g, b, b)))
+    }
+    #[inline(always)]
+    fn gray(self) -> RgbLanes {
+        RgbLanes(sse2!(_mm_set1_ps(self)))
+    }
+    #[inline(always)]
+    fn channels(rgb: RgbLanes) -> [f32; 3] {
+        let lane = |lanes| sse2!(_mm_cvtss_f32(lanes));
+        let green = sse2!(_mm_shuffle_ps::<0b01_01_01_01>(rgb.0, rgb.0));
+        let blue = sse2!(_mm_movehl_ps(rgb.0, rgb.0));
+        [lane(rgb.0), lane(green), lane(blue)]
+    }
+    scalar_methods!();
+    #[inline(always)]
+    fn weighted_row(table: &[TableEntry<f32>], first: f32, weights: [f32; 3]) -> RgbLanes {
+        let [row, ..] = load_block(table, whole(first), 0);
+        weighted(row, weights.map(f32::gray))
+    }
+    #[inline(always)]
+    fn weighted_block(
+        table: &[TableEntry<f32>],
+        stride: usize,
+        block: TableBlock<f32>,
+    ) -> RgbLanes {
+        let [column, row] = block.first.map(whole);
+        let rows = load_block(table, row * stride + column, stride);
+        let across = block.across.map(f32::gray);
+        weighted(
+            rows.map(|row| weighted(row, across)),
+            block.along.map(f32::gray),
+        )
+    }
+}
+
+/// Three entries from each of three rows of a table, the first at `from`, the rows `stride` entries
+/// apart.
+///
+/// # Panics
+/// If they are not all in the table.
+#[inline(always)]
+pub fn load_block(table: &[TableEntry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
+    // No sum overflows, as a slice's bytes are at most isize::MAX.
+    if stride >= table.len() || from >= table.len() || from + 2 * stride + 2 >= table.len() {
+        outside();
+    }
+    let start = table.as_ptr();
+    std::array::from_fn(|row| {
+        std::array::from_fn(|entry| {
+            // SAFETY: at most from + 2 stride + 2, which is in the table; entries are aligned.
+            RgbLanes(unsafe { _mm_load_ps(start.add(from + row * stride + entry).cast()) })
+        })
+    })
+}
+
+/// Without arguments, which every call would have to get ready.
+#[cold]
+#[inline(never)]
+fn outside() -> ! {
+    panic!("entries outside a table")
+}
+
+macro_rules! operator {
+    ($type:ident, $trait:ident, $method:ident, $intrinsic:ident) => {
+        impl $trait for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(sse2!($intrinsic(self.0, other.0)))
+            }
+        }
+    };
+}
+
+operator!(RgbLanes, Add, add, _mm_add_ps);
+operator!(RgbLanes, Sub, sub, _mm_sub_ps);
+operator!(RgbLanes, Mul, mul, _mm_mul_ps);
+operator!(RgbLanes, Div, div, _mm_div_ps);
+operator!(RgbMask, BitAnd, bitand, _mm_and_ps);
+operator!(RgbMask, BitOr, bitor, _mm_or_ps);
+
+impl Neg for RgbLanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(sse2!(_mm_xor_ps(self.0, _mm_set1_ps(-0.0))))
+    }
+}
+
+impl Not for RgbMask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(sse2!(_mm_xor_ps(
+            self.0,
+            _mm_castsi128_ps(_mm_set1_epi32(-1))
+        )))
+    }
+}
+
+impl Mask for RgbMask {
+    #[inline(always)]
+    fn any(self) -> bool {
+        sse2!(_mm_movemask_ps(self.0) != 0)
+    }
+}
+
+impl Real for RgbLanes {
+    type Mask = RgbMask;
+    const EPSILON: f64 = f32::EPSILON as f64;
+
+    #[inline(always)]
+    fn new(value: f64) -> Self {
+        Self(sse2!(_mm_set1_ps(value as f32)))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(sse2!(_mm_sqrt_ps(self.0)))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(sse2!(_mm_andnot_ps(_mm_set1_ps(-0.0), self.0)))
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(sse2!(_mm_min_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(sse2!(_mm_max_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn round(self) -> Self {
+        // As for f32: 2^23 of the same sign, where all floats are whole.
+        let whole = Self::new(8_388_608.0);
+        let sign = sse2!(_mm_and_ps(self.0, _mm_set1_ps(-0.0)));
+        let shift = sse2!(Self(_mm_or_ps(whole.0, sign)));
+        Self::select(self.abs().lt(whole), (self + shift) - shift, self)
+    }
+    #[inline(always)]
+    fn is_finite(self) -> RgbMask {
+        self.abs().lt(Self::new(f64::INFINITY))
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> RgbMask {
+        RgbMask(sse2!(_mm_cmplt_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> RgbMask {
+        RgbMask(sse2!(_mm_cmple_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn equals(self, other: Self) -> RgbMask {
+        RgbMask(sse2!(_mm_cmpeq_ps(self.0, other.0)))
+    }
+    #[inline(always)]
+    fn select(mask: RgbMask, yes: Self, no: Self) -> Self {
+        Self(sse2!(_mm_or_ps(
+            _mm_and_ps(mask.0, yes.0),
+            _mm_andnot_ps(mask.0, no.0)
+        )))
+    }
+    elementary_methods!(exp, exp_m1, ln, ln_1p, cos_turns, sin_turns);
+}
+
+impl Single for RgbLanes {
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        let sqrt_half = sse2!(_mm_set1_epi32(elementary::SQRT_HALF_BITS));
+        let above = sse2!(_mm_sub_epi32(_mm_castps_si128(self.0), sqrt_half));
+        let fraction = sse2!(_mm_and_si128(above, _mm_set1_epi32(0x007f_ffff)));
+        let mantissa = sse2!(_mm_castsi128_ps(_mm_add_epi32(fraction, sqrt_half)));
+        (
+            Self(mantissa),
+            Self(sse2!(_mm_cvtepi32_ps(_mm_srai_epi32::<23>(above)))),
+        )
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        let shifted = self + Self::new(elementary::EXPONENT_SHIFT);
+        Self(sse2!(_mm_castsi128_ps(_mm_slli_epi32::<23>(
+            _mm_castps_si128(shifted.0)
+        ))))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A function's name, its scalar form, its form in lanes.
+    type Unary = (&'static str, fn(f32) -> f32, fn(RgbLanes) -> RgbLanes);
+
+    /// Guards the second implementation of every operation: each lane gives, to the bit, what the
+    /// scalar operation gives.
+    #[test]
+    fn lanes_equal_scalars() {
+        let numbers = [
+            0.0, 1e-30, 3e-4, 0.25, 0.5, 0.7, 1.0, 1.5, 2.5, 37.3, 8.1e5, 9e6, 1e30,
+        ];
+        let signed: Vec<f32> = numbers.iter().flat_map(|&x| [x, -x]).collect();
+        let unary: [Unary; 9] = [
+            ("neg", Neg::neg, Neg::neg),
+            ("abs", Real::abs, Real::abs),
+            ("round", Real::round, Real::round),
+            ("exp", Real::exp, Real::exp),
+            ("exp_m1", Real::exp_m1, Real::exp_m1),
+            ("ln", |x| Real::ln(x.abs()), |x| x.abs().ln()),
+            ("ln_1p", |x| Real::ln_1p(x.abs()), |x| x.abs().ln_1p()),
+            ("cos_turns", Real::cos_turns, Real::cos_turns),
+            ("sqrt", |x| Real::sqrt(x.abs()), |x| x.abs().sqrt()),
+        ];
+        for (name, scalar, lanes) in unary {
+            for three in signed.windows(3) {
+                let three: [f32; 3] = three.try_into().unwrap();
+                let found = f32::channels(lanes(f32::rgb(three)));
+                let expected = three.map(scalar);
+                assert_eq!(
+                    found.map(f32::to_bits),
+                    expected.map(f32::to_bits),
+                    "{name} {three:?}"
+                );
+            }
+        }
+        for &a in &signed {
+            for &b in &signed {
+                let (x, y) = (f32::gray(a), f32::gray(b));
+                let pick = |mask| f32::channels(RgbLanes::select(mask, x, y))[2];
+                let scalar_pick = |mask: bool| if mask { a } else { b };
+                let pairs = [
+                    (f32::channels(x + y)[0], a + b),
+                    (f32::channels(x - y)[1], a - b),
+                    (f32::channels(x * y)[2], a * b),
+                    (f32::channels(x.min(y))[0], Real::min(a, b)),
+                    (f32::channels(x.max(y))[1], Real::max(a, b)),
+                    (pick(x.lt(y)), scalar_pick(a < b)),
+                    (pick(x.le(y) & !x.equals(y)), scalar_pick(a < b)),
+                    (pick(x.gt(y) | x.equals(y)), scalar_pick(a >= b)),
+                ];
+                for (found, expected) in pairs {
+                    assert_eq!(found.to_bits(), expected.to_bits(), "{a} {b}");
+                }
+            }
+        }
+    }
+}
