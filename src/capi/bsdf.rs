@@ -8,9 +8,8 @@ use super::film;
 use super::types::{
     PellicleBsdf, PellicleBsdfDesc, PellicleBsdfInfo, PellicleParam, PellicleSample, PellicleStatus,
 };
-use crate::bsdf::{Bsdf, Description};
+use crate::bsdf::{Bsdf, Call, Description};
 use crate::error::Error;
-use crate::num::Level;
 use libc::size_t;
 use std::sync::Arc;
 
@@ -31,8 +30,6 @@ pub unsafe extern "C" fn pellicle_bsdf_create(
     bsdf: *mut *mut PellicleBsdf,
 ) -> PellicleStatus {
     quiet_panics();
-    // Looked up here, as evaluation must not allocate.
-    Level::chosen();
     guard(|| {
         require(bsdf, "bsdf")?;
         // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is
@@ -130,12 +127,15 @@ pub unsafe extern "C" fn pellicle_bsdf_eval(
             let varying = varying_numbers(bsdf, varying);
             if pdf.is_null() {
                 require(value, "value (and pdf)")?;
-                value
-                    .cast::<[f32; 3]>()
-                    .write_unaligned(bsdf.eval(wo, wi, varying));
+                value.cast::<[f32; 3]>().write_unaligned(bsdf.eval(
+                    wo,
+                    wi,
+                    varying,
+                    &Call::default(),
+                ));
                 return Ok(());
             }
-            let (rgb, density) = bsdf.eval_pdf(wo, wi, varying);
+            let (rgb, density) = bsdf.eval_pdf(wo, wi, varying, &Call::default());
             if !value.is_null() {
                 value.cast::<[f32; 3]>().write_unaligned(rgb);
             }
@@ -167,7 +167,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample(
             let bsdf = handle(bsdf)?;
             let wo = numbers::<3>(wo, "wo")?.into();
             let u = numbers::<3>(u, "u")?.into();
-            let sampled = bsdf.sample(wo, u, varying_numbers(bsdf, varying));
+            let sampled = bsdf.sample(wo, u, varying_numbers(bsdf, varying), &Call::default());
             let filled = PellicleSample {
                 wi: sampled.wi.to_array(),
                 pdf: sampled.pdf,
@@ -202,7 +202,7 @@ pub unsafe extern "C" fn pellicle_bsdf_albedo(
         unsafe {
             let bsdf = handle(bsdf)?;
             let wo = numbers::<3>(wo, "wo")?.into();
-            let rgb = bsdf.albedo(wo, varying_numbers(bsdf, varying));
+            let rgb = bsdf.albedo(wo, varying_numbers(bsdf, varying), &Call::default());
             albedo.cast::<[f32; 3]>().write_unaligned(rgb);
         }
         Ok(())

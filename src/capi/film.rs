@@ -11,7 +11,6 @@ use super::types::{
 };
 use crate::error::Error;
 use crate::film::Film;
-use crate::num::Level;
 use crate::optics::stack::Side;
 use libc::size_t;
 use std::sync::Arc;
@@ -33,8 +32,6 @@ pub unsafe extern "C" fn pellicle_film_create(
     film: *mut *mut PellicleFilm,
 ) -> PellicleStatus {
     quiet_panics();
-    // Looked up here, as evaluation must not allocate.
-    Level::chosen();
     guard(|| {
         require(film, "film")?;
         // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is
