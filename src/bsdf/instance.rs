@@ -5,7 +5,6 @@ use super::varying::Varying;
 use crate::bsdf::{self, Flags, Kernel, LobeInfo, ModelInfo, Override, PerLobe, Precision, Values};
 use crate::error::Error;
 use crate::num::{Level, Rgb, Vec3};
-use std::ffi::{CStr, CString};
 
 /// The precisions that a BSDF exists in: `f32` with `glam::Vec3` for renderers, `f64` with
 /// `glam::DVec3` as the oracle.
@@ -86,7 +85,7 @@ pub struct Bsdf<T: Scalar = f32> {
     is_two_sided: bool,
     pub(super) kernel: Box<dyn Kernel<T>>,
     pub(super) varying: Varying<T>,
-    plan: CString,
+    plan: String,
 }
 
 impl<T: Scalar> Bsdf<T> {
@@ -118,7 +117,7 @@ impl<T: Scalar> Bsdf<T> {
 
     /// What this BSDF was specialised to: terms that its values leave out and formulas that are shorter for
     /// them, separated by commas; and what batches run with.
-    pub fn plan(&self) -> &CStr {
+    pub fn plan(&self) -> &str {
         &self.plan
     }
 
@@ -243,7 +242,7 @@ impl<T: Scalar> Bsdf<T> {
     }
 }
 
-fn plan_in_words<T: Precision>(kernel: &dyn Kernel<T>) -> CString {
+fn plan_in_words<T: Precision>(kernel: &dyn Kernel<T>) -> String {
     let mut words = kernel.plan().join(", ");
     if words.is_empty() {
         words.push_str("all terms");
@@ -252,5 +251,5 @@ fn plan_in_words<T: Precision>(kernel: &dyn Kernel<T>) -> CString {
         Some(_) => Level::chosen().name(),
         None => "single calls",
     };
-    CString::new(format!("{words}; batches by {batches}")).expect("no words contain NUL")
+    format!("{words}; batches by {batches}")
 }
