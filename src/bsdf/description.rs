@@ -201,7 +201,7 @@ impl Resolved {
 
 fn index_of(info: &ModelInfo, name: &str) -> Result<usize, Error> {
     info.param(name).ok_or_else(|| {
-        let kind = format!("parameter of model {}", info.name.to_string_lossy());
+        let kind = format!("parameter of model {}", info.name);
         Error::unknown(&kind, name, info.params.iter().map(ParamInfo::name))
     })
 }
@@ -233,11 +233,7 @@ fn set(
             values.set_numbers(index, direction(name, numbers, *min_z)?);
         }
         (ParamKind::Choice { choices }, ParamValue::Choice(choice)) => {
-            let names = || {
-                choices
-                    .iter()
-                    .map(|choice| choice.to_str().unwrap_or_default())
-            };
+            let names = || choices.iter().copied();
             let found = names().position(|name| name == choice);
             let kind = format!("choice for '{name}'");
             values.set_choice(

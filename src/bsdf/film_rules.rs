@@ -80,10 +80,7 @@ fn under_choice(entry: &RegisteredModel, values: &Values<f32>) -> Option<(String
     let ParamKind::Choice { choices } = param.kind else {
         return None;
     };
-    let names: Vec<_> = choices
-        .iter()
-        .map(|choice| choice.to_str().unwrap_or_default())
-        .collect();
+    let names = choices;
     let (name, film) = (param.name(), names[needed.choice]);
     let made = names[values.choice(needed.param)];
     let known = names.join(", ");

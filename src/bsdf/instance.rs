@@ -11,7 +11,6 @@ use super::registry::find;
 use super::varying::{VaryingParams, VaryingRange, VaryingValues};
 use crate::error::Error;
 use crate::num::{Columns, ColumnsMut, Level, Rgb, Vec3};
-use std::ffi::{CStr, CString};
 
 /// Values at a pair of directions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -74,7 +73,7 @@ pub struct Bsdf<T: Precision = f32> {
     varying: VaryingParams<T>,
     ranges: Box<[VaryingRange]>,
     level: Level,
-    plan: CString,
+    plan: String,
 }
 
 impl<T: Precision> Bsdf<T> {
@@ -91,9 +90,8 @@ impl<T: Precision> Bsdf<T> {
         let values = resolved.values_in::<T>(model.info);
         let lobes = (model.lobes)(&resolved.values);
         let kernel = T::prepare(model.prepare_f32, model.prepare_f64, &values)?;
-        let words = plan_in_words(kernel.plan(), level);
         Ok(Self {
-            plan: CString::new(words).expect("no words contain NUL"),
+            plan: plan_in_words(kernel.plan(), level),
             info: model.info,
             lobes,
             is_two_sided: Flags::of(lobes).contains(Flags::TRANSMISSION),
@@ -111,7 +109,7 @@ impl<T: Precision> Bsdf<T> {
 
     /// What this BSDF was specialised to: the terms that its values leave out and the formulas that are shorter
     /// for them, separated by commas; and the instructions that batches use.
-    pub fn plan(&self) -> &CStr {
+    pub fn plan(&self) -> &str {
         &self.plan
     }
 

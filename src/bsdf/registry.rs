@@ -25,7 +25,7 @@ static MODELS: [RegisteredModel; 8] = [
 ];
 
 /// All models.
-pub fn models() -> &'static [RegisteredModel] {
+pub const fn models() -> &'static [RegisteredModel] {
     &MODELS
 }
 
@@ -65,6 +65,6 @@ impl RegisteredModel {
 
     /// The model's name.
     pub fn name(&self) -> &'static str {
-        self.info.name.to_str().unwrap_or_default()
+        self.info.name
     }
 }

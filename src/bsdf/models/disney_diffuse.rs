@@ -26,17 +26,27 @@ const ROUGHNESS: usize = 1;
 
 impl Model for DisneyDiffuse {
     const INFO: ModelInfo = ModelInfo {
-        name: c"disney_diffuse",
-        summary: c"Diffuse reflection fitted to measured materials: darker or brighter at grazing angles.",
-        source: c"Burley 2012, Physically-Based Shading at Disney, section 5.3",
+        name: "disney_diffuse",
+        summary: "Diffuse reflection fitted to measured materials: darker or brighter at grazing angles.",
+        source: "Burley 2012, Physically-Based Shading at Disney, section 5.3",
         params: &[
-            ParamInfo::rgb(c"reflectance", c"Fraction of light reflected, RGB, apart from grazing angles.", [0.0, 1.0], 0.5),
-            ParamInfo::number(c"roughness", c"0 darkens grazing angles, 1 brightens them.", [0.0, 1.0], 0.5),
+            ParamInfo::rgb(
+                "reflectance",
+                "Fraction of light reflected, RGB, apart from grazing angles.",
+                [0.0, 1.0],
+                0.5,
+            ),
+            ParamInfo::number(
+                "roughness",
+                "0 darkens grazing angles, 1 brightens them.",
+                [0.0, 1.0],
+                0.5,
+            ),
         ],
         lobes: &[LobeInfo::DIFFUSE],
         not_conserving: Some(Exception {
             cases: &[&[]],
-            reason: c"a reflectance near 1 with roughness above 0.4: up to 56 % too much at grazing angles",
+            reason: "a reflectance near 1 with roughness above 0.4: up to 56 % too much at grazing angles",
         }),
         ..ModelInfo::PLAIN
     };

@@ -58,17 +58,17 @@ const REFRACTION_NM: f64 = 550.0;
 
 impl Model for ThinFilm {
     const INFO: ModelInfo = ModelInfo {
-        name: c"film",
-        summary: c"Needs a film: a smooth surface coated with it, which reflects and, if the film keeps its transmittance and its base is transparent, transmits.",
-        source: c"Abeles 1950 and Macleod, Thin-Film Optical Filters, chapter 2; directions by Snell's law",
-        params: &[ParamInfo::number(c"thickness_nm", c"Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit(c"nm")],
+        name: "film",
+        summary: "Needs a film: a smooth surface coated with it, which reflects and, if the film keeps its transmittance and its base is transparent, transmits.",
+        source: "Abeles 1950 and Macleod, Thin-Film Optical Filters, chapter 2; directions by Snell's law",
+        params: &[ParamInfo::number("thickness_nm", "Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit("nm")],
         lobes: &[
             LobeInfo {
-                name: c"reflection",
+                name: "reflection",
                 flags: Flags::REFLECTION.with(Flags::DELTA),
             },
             LobeInfo {
-                name: c"transmission",
+                name: "transmission",
                 flags: Flags::TRANSMISSION.with(Flags::DELTA),
             },
         ],

@@ -19,12 +19,12 @@ const REFLECTANCE: usize = 0;
 
 impl Model for Lambert {
     const INFO: ModelInfo = ModelInfo {
-        name: c"lambert",
-        summary: c"Ideal diffuse reflection.",
-        source: c"Lambert 1760, Photometria",
+        name: "lambert",
+        summary: "Ideal diffuse reflection.",
+        source: "Lambert 1760, Photometria",
         params: &[ParamInfo::rgb(
-            c"reflectance",
-            c"Fraction of light reflected, RGB.",
+            "reflectance",
+            "Fraction of light reflected, RGB.",
             [0.0, 1.0],
             0.5,
         )],

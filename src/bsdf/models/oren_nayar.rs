@@ -53,18 +53,33 @@ const QUALITATIVE: usize = 1;
 
 impl Model for OrenNayar {
     const INFO: ModelInfo = ModelInfo {
-        name: c"oren_nayar",
-        summary: c"Diffuse reflection by a rough surface, flatter than Lambert's and brighter towards the light.",
-        source: c"Oren and Nayar 1994, Generalization of Lambert's Reflectance Model, section 4",
+        name: "oren_nayar",
+        summary: "Diffuse reflection by a rough surface, flatter than Lambert's and brighter towards the light.",
+        source: "Oren and Nayar 1994, Generalization of Lambert's Reflectance Model, section 4",
         params: &[
-            ParamInfo::rgb(c"reflectance", c"Fraction of light reflected by a facet, RGB.", [0.0, 1.0], 0.5),
-            ParamInfo::number(c"sigma", c"Standard deviation of the facets' slope angle; 0 is lambert.", [0.0, std::f32::consts::FRAC_PI_2], 0.35).in_unit(c"radians"),
-            ParamInfo::choice(c"form", c"The full fit with light between facets, or the paper's short one without.", &[c"full", c"qualitative"]),
+            ParamInfo::rgb(
+                "reflectance",
+                "Fraction of light reflected by a facet, RGB.",
+                [0.0, 1.0],
+                0.5,
+            ),
+            ParamInfo::number(
+                "sigma",
+                "Standard deviation of the facets' slope angle; 0 is lambert.",
+                [0.0, std::f32::consts::FRAC_PI_2],
+                0.35,
+            )
+            .in_unit("radians"),
+            ParamInfo::choice(
+                "form",
+                "The full fit with light between facets, or the paper's short one without.",
+                &["full", "qualitative"],
+            ),
         ],
         lobes: &[LobeInfo::DIFFUSE],
         not_conserving: Some(Exception {
             cases: &[&[]],
-            reason: c"a reflectance near 1 with sigma below 0.63 (full) or 0.33 (qualitative): up to 5.1 % or 1.6 % too much at grazing angles",
+            reason: "a reflectance near 1 with sigma below 0.63 (full) or 0.33 (qualitative): up to 5.1 % or 1.6 % too much at grazing angles",
         }),
         ..ModelInfo::PLAIN
     };

@@ -39,28 +39,23 @@ const SPECULAR_LOBE: usize = 1;
 
 impl Model for Phong {
     const INFO: ModelInfo = ModelInfo {
-        name: c"phong",
-        summary: c"A diffuse part and a normalised highlight about the mirror direction.",
-        source: c"Phong 1975, normalised by Lafortune and Willems 1994, eq. 5 and 6",
+        name: "phong",
+        summary: "A diffuse part and a normalised highlight about the mirror direction.",
+        source: "Phong 1975, normalised by Lafortune and Willems 1994, eq. 5 and 6",
         params: &[
             ParamInfo::rgb(
-                c"diffuse",
-                c"Albedo of the diffuse part, RGB; diffuse + specular <= 1.",
+                "diffuse",
+                "Albedo of the diffuse part, RGB; diffuse + specular <= 1.",
                 [0.0, 1.0],
                 0.5,
             ),
             ParamInfo::rgb(
-                c"specular",
-                c"Albedo of the highlight at normal incidence, RGB.",
+                "specular",
+                "Albedo of the highlight at normal incidence, RGB.",
                 [0.0, 1.0],
                 0.25,
             ),
-            ParamInfo::number(
-                c"exponent",
-                c"Sharpness of the highlight.",
-                [0.0, 1e5],
-                50.0,
-            ),
+            ParamInfo::number("exponent", "Sharpness of the highlight.", [0.0, 1e5], 50.0),
         ],
         lobes: &[LobeInfo::DIFFUSE, LobeInfo::SPECULAR],
         ..ModelInfo::PLAIN
