@@ -113,9 +113,10 @@ impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
             }
             let (wo, wi, is_seen) = self.directions::<L>(from);
             let is_seen = is_seen & is_usable;
-            let (value, density) = eval_pdf(&surface, self.lobes, wo, wi);
+            let (value, densities) = surface.eval_with_densities(wo, wi);
             self.store_value(from, is_seen, value);
             if let Some(pdf) = &mut self.pdf {
+                let density = mixture_density(&choices(&surface, wo, self.lobes), &densities);
                 let density = L::select(is_seen, density, L::new(0.0));
                 density.store(&mut pdf[from..from + L::COUNT]);
             }
@@ -219,6 +220,7 @@ impl<L: Lane> Direction<L> {
 
 /// Calls `f` with the varying values of a single call as pairs of parameter index and value; `None` if one
 /// is unusable.
+#[inline(always)]
 pub fn with_overrides<T: Lane<Scalar = T, Mask = bool>, R>(
     varying: &VaryingValues<T>,
     f: impl FnOnce(&[(usize, [T; 3])]) -> R,
