@@ -119,8 +119,13 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         if is_plain(varying, lobes) {
             return self.settled::<T>().eval(wo, wi);
         }
-        self.with_varied(varying, lobes, |surface| surface.eval(wo, wi))
-            .unwrap_or([T::new(0.0); 3])
+        self.with_varied(
+            varying,
+            lobes,
+            #[inline(always)]
+            |surface| surface.eval(wo, wi),
+        )
+        .unwrap_or([T::new(0.0); 3])
     }
 
     fn eval_pdf(
@@ -153,9 +158,12 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         if is_plain(varying, lobes) {
             return sample(&self.settled::<T>(), lobes, true, wo, u);
         }
-        self.with_varied(varying, lobes, |surface| {
-            sample(surface, lobes, true, wo, u)
-        })
+        self.with_varied(
+            varying,
+            lobes,
+            #[inline(always)]
+            |surface| sample(surface, lobes, true, wo, u),
+        )
         .unwrap_or(Direction::none())
     }
 
