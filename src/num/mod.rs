@@ -13,14 +13,10 @@ pub mod warp;
 
 pub(crate) use arctangent::angle_turns;
 pub(crate) use error_function::{erfcx, erfinv};
-#[cfg(target_arch = "x86_64")]
-pub(crate) use lanes::load_block;
 pub use lanes::{F64x4, Level, Work, widest};
 pub use real::{Mask, Real};
-#[cfg(not(target_arch = "x86_64"))]
-pub(crate) use rgb::load_block;
 pub use rgb::{Lane, TableBlock, TableEntry};
-pub(crate) use rgb::{each, weighted};
+pub(crate) use rgb::each;
 pub use vec3::{Rgb, Vec3};
 
 /// The ratio of a circle's circumference to its diameter, as the formulas use it.

@@ -171,7 +171,7 @@ pub(super) use scalar_methods;
 
 /// The sum of three, each times its weight.
 #[inline(always)]
-pub(crate) fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
+pub(super) fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
     a * u + b * v + c * w
 }
 
@@ -215,7 +215,7 @@ macro_rules! side_by_side {
 /// # Panics
 /// If they are not all in the table.
 #[inline(always)]
-pub(crate) fn load_block<T: Copy>(
+fn load_block<T: Copy>(
     table: &[TableEntry<T>],
     from: usize,
     stride: usize,

@@ -71,7 +71,7 @@ impl Lane for f32 {
 /// # Panics
 /// If they are not all in the table.
 #[inline(always)]
-pub fn load_block(table: &[TableEntry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
+fn load_block(table: &[TableEntry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
     // No sum overflows, as a slice's bytes are at most isize::MAX.
     if stride >= table.len() || from >= table.len() || from + 2 * stride + 2 >= table.len() {
         outside();
