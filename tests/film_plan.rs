@@ -58,7 +58,7 @@ fn film(description: &FilmDescription) -> Film {
 }
 
 fn method(film: &Film) -> &'static str {
-    film.plan().method.to_str().unwrap()
+    film.plan().method
 }
 
 /// The status and the message of a film that must not be created.
@@ -272,7 +272,7 @@ fn methods_are_forced_by_name() {
         let film = film(&with(name, tolerance, description));
         let plan = film.plan();
         assert_eq!((method(&film), plan.tolerance), (name, tolerance));
-        let reason = plan.reason.to_str().unwrap();
+        let reason = plan.reason.as_str();
         assert!(reason.contains("asked for by name"), "{reason}");
         let (max, _) = errors(&film, 100);
         assert!(max <= tolerance, "{name} {tolerance}: {max:e} {plan:?}");

@@ -1,52 +1,36 @@
 //! A BSDF: a model with validated parameters, compiled, immutable, ready to be called.
 
+use super::call::Call;
 use super::description::Description;
-use super::varying::Varying;
-use crate::bsdf::{self, Flags, Kernel, LobeInfo, ModelInfo, Override, PerLobe, Precision, Values};
+use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
+use super::job::{EvalJob, SampleJob, is_above, is_unit};
+use super::kernel::Kernel;
+use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
+use super::precision::Precision;
+use super::registry::find;
+use super::varying::{VaryingParams, VaryingRange, VaryingValues};
 use crate::error::Error;
-use crate::num::{Level, Rgb, Vec3};
-use std::ffi::{CStr, CString};
+use crate::num::{Columns, ColumnsMut, Level, Rgb, Vec3};
 
-/// The precisions that a BSDF exists in: `f32` with `glam::Vec3` for renderers, `f64` with
-/// `glam::DVec3` as the oracle.
-pub trait Scalar: Precision {
-    /// The public vector type.
-    type Vector: Into<[Self; 3]> + From<[Self; 3]> + Copy;
-    #[doc(hidden)]
-    fn prepare(
-        entry: &bsdf::RegisteredModel,
-        values: &Values<Self>,
-    ) -> Result<Box<dyn Kernel<Self>>, Error>;
-}
-
-impl Scalar for f32 {
-    type Vector = glam::Vec3;
-    fn prepare(
-        entry: &bsdf::RegisteredModel,
-        values: &Values<f32>,
-    ) -> Result<Box<dyn Kernel<f32>>, Error> {
-        (entry.prepare_f32)(values)
-    }
-}
-
-impl Scalar for f64 {
-    type Vector = glam::DVec3;
-    fn prepare(
-        entry: &bsdf::RegisteredModel,
-        values: &Values<f64>,
-    ) -> Result<Box<dyn Kernel<f64>>, Error> {
-        (entry.prepare_f64)(values)
-    }
+/// Values at a pair of directions.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Evaluation<T = f32> {
+    /// f(wo, wi) |wi.z|.
+    pub value: Rgb<T>,
+    /// The density with which [`Bsdf::sample`] finds wi from wo, per solid angle.
+    pub pdf: T,
+    /// The density with which it finds wo from wi.
+    pub pdf_reverse: T,
 }
 
 /// A sampled direction; all 0: no valid sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample<T: Scalar = f32> {
+pub struct Sample<T: Precision = f32> {
     /// To the light, unit.
     pub wi: T::Vector,
     /// Density of wi over all lobes, per solid angle; 0 for a DELTA lobe.
     pub pdf: T,
-    /// value / pdf, RGB; for a DELTA lobe what it passes on over the probability of choosing it.
+    /// value / pdf, RGB; for a DELTA lobe its throughput over the probability of choosing it.
     pub weight: Rgb<T>,
     /// Index on wi's side over the index on wo's side.
     pub eta: T,
@@ -54,21 +38,22 @@ pub struct Sample<T: Scalar = f32> {
     pub flags: Flags,
     /// Number of the chosen lobe.
     pub lobe: usize,
+    /// The probability with which the lobe was chosen.
+    pub lobe_probability: T,
 }
 
-impl<T: Scalar> Sample<T> {
-    /// No valid sample.
-    fn none() -> Self {
-        let zero = T::new(0.0);
-        Self {
-            wi: [zero; 3].into(),
-            pdf: zero,
-            weight: [zero; 3],
-            eta: zero,
-            flags: Flags(0),
-            lobe: 0,
-        }
-    }
+/// A parameter that varies per call.
+#[derive(Clone, Copy, Debug)]
+pub struct Varying<'a, T: Precision = f32> {
+    /// The parameter.
+    pub param: &'static ParamInfo,
+    /// Least value of each component; 0 for a direction.
+    pub min: f32,
+    /// Greatest value of each component; 0 for a direction.
+    pub max: f32,
+    /// The values that a call without `varying` uses: those of the description, the model's defaults held in
+    /// the range, or for a film's thickness the least of the range.
+    pub defaults: &'a [T],
 }
 
 /// A compiled BSDF. Share it between threads as you like; no call but [`Bsdf::new`] allocates.
@@ -78,47 +63,53 @@ impl<T: Scalar> Sample<T> {
 /// A finite number outside its declared range is clamped to it; NaN, infinity, a wrong length or a
 /// direction with z <= 0 gives 0. So do directions that are not unit to 1e-3, and directions with
 /// z <= 0; with TRANSMISSION among [`Bsdf::flags`], z < 0 is the base's side and z = 0 gives 0.
-pub struct Bsdf<T: Scalar = f32> {
+pub struct Bsdf<T: Precision = f32> {
     info: &'static ModelInfo,
-    /// Those that this instance has.
-    pub(super) lobes: &'static [LobeInfo],
+    /// The lobes of this instance.
+    lobes: &'static [LobeInfo],
     /// Whether there is a base's side.
     is_two_sided: bool,
-    pub(super) kernel: Box<dyn Kernel<T>>,
-    pub(super) varying: Varying<T>,
-    plan: CString,
+    kernel: Box<dyn Kernel<T>>,
+    varying: VaryingParams<T>,
+    ranges: Box<[VaryingRange]>,
+    level: Level,
+    plan: String,
 }
 
-impl<T: Scalar> Bsdf<T> {
+impl<T: Precision> Bsdf<T> {
     /// Validates and compiles a description.
     ///
     /// # Errors
     /// `UnknownName`, `OutOfRange`, `InvalidArgument` or `Unsupported`, with a message that names
-    /// the parameter, its value and what is allowed; `OutOfMemory` if a model's tables find no room.
+    /// the parameter, its value and what is allowed; `OutOfMemory` if there is no memory for a model's
+    /// tables.
     pub fn new(description: &Description) -> Result<Self, Error> {
-        let entry = bsdf::find(description.model())?;
-        let resolved = description.resolve(entry)?;
-        let values = resolved.values_in::<T>(entry.info);
-        let lobes = (entry.lobes)(&resolved.values);
-        let kernel = T::prepare(entry, &values)?;
+        let model = find(description.model())?;
+        let level = description.level()?;
+        let resolved = description.resolve(model)?;
+        let values = resolved.values_in::<T>(model.info);
+        let lobes = (model.lobes)(&resolved.values);
+        let kernel = T::prepare(model.prepare_f32, model.prepare_f64, &values)?;
         Ok(Self {
-            plan: plan_in_words(&*kernel),
-            info: entry.info,
+            plan: plan_in_words(kernel.plan(), level),
+            info: model.info,
             lobes,
             is_two_sided: Flags::of(lobes).contains(Flags::TRANSMISSION),
             kernel,
-            varying: Varying::new(entry.info, &values, &resolved.varying),
+            varying: VaryingParams::new(model.info, &values, &resolved.varying),
+            ranges: resolved.varying.into(),
+            level,
         })
     }
 
-    /// What the model says about itself.
+    /// The description of the model.
     pub fn info(&self) -> &'static ModelInfo {
         self.info
     }
 
-    /// What this BSDF was specialised to: terms that its values leave out and formulas that are shorter for
-    /// them, separated by commas; and what batches run with.
-    pub fn plan(&self) -> &CStr {
+    /// What this BSDF was specialised to: the terms that its values leave out and the formulas that are shorter
+    /// for them, separated by commas; and the instructions that batches use.
+    pub fn plan(&self) -> &str {
         &self.plan
     }
 
@@ -133,124 +124,228 @@ impl<T: Scalar> Bsdf<T> {
         self.lobes
     }
 
+    /// The parameters that vary per call, in declared order.
+    pub fn varying(&self) -> impl ExactSizeIterator<Item = Varying<'_, T>> {
+        let mut rest = self.varying.defaults();
+        self.ranges.iter().map(move |range| {
+            let param = &self.info.params[range.param];
+            let (defaults, after) = rest.split_at(param.components());
+            rest = after;
+            Varying {
+                param,
+                min: range.min,
+                max: range.max,
+                defaults,
+            }
+        })
+    }
+
     /// How many parameters vary per call.
     pub fn varying_count(&self) -> usize {
-        self.varying.count()
+        self.ranges.len()
     }
 
     /// How many numbers the varying parameters have together.
     pub fn varying_floats(&self) -> usize {
-        self.varying.floats()
+        self.varying.defaults().len()
     }
 
-    /// The varying parameters' own values, in the form of a `varying` argument.
-    pub fn varying_defaults(&self) -> &[T] {
-        self.varying.defaults()
-    }
-
-    /// How many components each varying parameter has, in declared order.
-    pub fn varying_components(&self) -> impl Iterator<Item = usize> + '_ {
-        self.varying.components()
+    /// The instructions that batches use.
+    pub(crate) fn level(&self) -> Level {
+        self.level
     }
 
     /// f(wo, wi) |wi.z|.
-    pub fn eval(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
-        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| {
-            kernel.eval(overrides, wo, wi)
-        })
-        .unwrap_or([T::new(0.0); 3])
+    pub fn eval(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>, call: &Call) -> Rgb<T> {
+        let mut value = [T::new(0.0); 3];
+        self.evaluate_one(wo.into(), wi.into(), varying, call, Some(&mut value), None);
+        value
     }
 
-    /// [`Bsdf::eval`] and the density with which [`Bsdf::sample`] finds wi, per solid angle.
-    pub fn eval_pdf(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> (Rgb<T>, T) {
-        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| {
-            kernel.eval_pdf(overrides, wo, wi)
-        })
-        .unwrap_or(([T::new(0.0); 3], T::new(0.0)))
+    /// [`Bsdf::eval`], the density with which [`Bsdf::sample`] finds wi, and the density of the reverse.
+    pub fn evaluate(
+        &self,
+        wo: T::Vector,
+        wi: T::Vector,
+        varying: Option<&[T]>,
+        call: &Call,
+    ) -> Evaluation<T> {
+        let (value, pdf) = self.eval_pdf(wo, wi, varying, call);
+        let pdf_reverse = self.pdf(wi, wo, varying, call);
+        Evaluation {
+            value,
+            pdf,
+            pdf_reverse,
+        }
+    }
+
+    /// [`Bsdf::eval`] and the density with which [`Bsdf::sample`] finds wi.
+    pub fn eval_pdf(
+        &self,
+        wo: T::Vector,
+        wi: T::Vector,
+        varying: Option<&[T]>,
+        call: &Call,
+    ) -> (Rgb<T>, T) {
+        let (mut value, mut pdf) = ([T::new(0.0); 3], [T::new(0.0)]);
+        let target = Some(&mut value);
+        self.evaluate_one(wo.into(), wi.into(), varying, call, target, Some(&mut pdf));
+        (value, pdf[0])
+    }
+
+    /// The density with which [`Bsdf::sample`] finds wi.
+    pub fn pdf(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>, call: &Call) -> T {
+        let mut pdf = [T::new(0.0)];
+        self.evaluate_one(wo.into(), wi.into(), varying, call, None, Some(&mut pdf));
+        pdf[0]
+    }
+
+    /// A job of one element. Leaves the outputs as they are where nothing is reflected.
+    #[inline(always)]
+    fn evaluate_one(
+        &self,
+        wo: [T; 3],
+        wi: [T; 3],
+        varying: Option<&[T]>,
+        call: &Call,
+        value: Option<&mut [T; 3]>,
+        pdf: Option<&mut [T; 1]>,
+    ) {
+        if let Some(varying) = self.varying.of_one(varying) {
+            let mut job = EvalJob {
+                wo: Columns::of_one(&wo),
+                wi: Columns::of_one(&wi),
+                varying,
+                lobes: LobeSet::wanted(self.lobes, call.lobes),
+                value: value.map(ColumnsMut::of_one),
+                pdf: pdf.map(<[T; 1]>::as_mut_slice),
+            };
+            self.evaluate_job(Level::SCALAR, &mut job);
+        }
     }
 
     /// The probability of choosing each lobe, and each lobe's own density at wi.
+    #[doc(hidden)]
     pub fn lobes(
         &self,
         wo: T::Vector,
         wi: T::Vector,
         varying: Option<&[T]>,
     ) -> (PerLobe<T>, PerLobe<T>) {
-        let none = [T::new(0.0); bsdf::MAX_LOBES];
-        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| {
-            kernel.lobes(overrides, wo, wi)
-        })
-        .unwrap_or((none, none))
+        let none = [T::new(0.0); MAX_LOBES];
+        let found = || {
+            let (wo, wi) = (self.direction(wo)?, self.direction(wi)?);
+            self.kernel.lobes(wo, wi, &self.varying.of_one(varying)?)
+        };
+        found().unwrap_or((none, none))
     }
 
-    /// A direction for three uniform numbers in [0, 1).
-    pub fn sample(&self, wo: T::Vector, u: T::Vector, varying: Option<&[T]>) -> Sample<T> {
-        let u: [T; 3] = u.into();
-        let sampled = self.direction(wo).and_then(|wo| {
-            if !u.into_iter().all(bsdf::is_uniform) {
-                return None;
-            }
-            self.varying
-                .with(varying, |overrides| self.kernel.sample(overrides, wo, u))?
-        });
-        sampled.map_or(Sample::none(), |sampled| Sample {
-            wi: sampled.wi.to_array().into(),
-            pdf: sampled.pdf,
-            weight: sampled.weight,
-            eta: sampled.eta,
-            flags: self.lobes[sampled.lobe].flags,
-            lobe: sampled.lobe,
-        })
+    /// A direction for three uniform numbers in [0, 1), of which the first chooses the lobe.
+    pub fn sample(
+        &self,
+        wo: T::Vector,
+        u: T::Vector,
+        varying: Option<&[T]>,
+        call: &Call,
+    ) -> Sample<T> {
+        let zero = T::new(0.0);
+        let (wo, u): ([T; 3], [T; 3]) = (wo.into(), u.into());
+        let (mut wi, mut weight) = ([zero; 3], [zero; 3]);
+        let [mut pdf, mut eta, mut lobe, mut lobe_probability] = [[zero]; 4];
+        if let Some(varying) = self.varying.of_one(varying) {
+            let mut job = SampleJob {
+                wo: Columns::of_one(&wo),
+                u: Columns::of_one(&u),
+                varying,
+                lobes: LobeSet::wanted(self.lobes, call.lobes),
+                transport: call.transport,
+                wi: ColumnsMut::of_one(&mut wi),
+                weight: ColumnsMut::of_one(&mut weight),
+                pdf: &mut pdf,
+                eta: &mut eta,
+                lobe: &mut lobe,
+                lobe_probability: &mut lobe_probability,
+            };
+            self.kernel.sample(Level::SCALAR, &mut job);
+        }
+        let number = lobe[0].to_f32() as usize;
+        Sample {
+            wi: wi.into(),
+            pdf: pdf[0],
+            weight,
+            eta: eta[0],
+            flags: self.sampled_flags(number, lobe_probability[0] > zero),
+            lobe: number,
+            lobe_probability: lobe_probability[0],
+        }
     }
 
     /// Directional albedo, the integral of the value over wi: how bright the surface looks from wo in
     /// a white furnace. By quadrature (some milliseconds) unless the model has a closed form. What is
     /// transmitted counts as radiance, (eta_o / eta_i)^2 times its power: seen from within a dense
     /// base the albedo exceeds 1.
-    pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
-        self.direction(wo)
-            .and_then(|wo| {
-                self.varying
-                    .with(varying, |overrides| self.kernel.albedo(overrides, wo))
-            })
-            .unwrap_or([T::new(0.0); 3])
+    pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>, call: &Call) -> Rgb<T> {
+        let lobes = LobeSet::wanted(self.lobes, call.lobes);
+        let found = || {
+            let (wo, varying) = (self.direction(wo)?, self.varying.of_one(varying)?);
+            self.kernel.albedo(wo, &varying, lobes)
+        };
+        found().unwrap_or([T::new(0.0); 3])
     }
 
-    /// Calls `f` if both directions and the varying values are valid.
+    /// Evaluates a job; 0 without lobes.
     #[inline(always)]
-    fn at_pair<R>(
-        &self,
-        wo: T::Vector,
-        wi: T::Vector,
-        varying: Option<&[T]>,
-        f: impl FnOnce(&dyn Kernel<T>, &[Override<T>], Vec3<T>, Vec3<T>) -> R,
-    ) -> Option<R> {
-        let (wo, wi) = (self.direction(wo)?, self.direction(wi)?);
-        self.varying
-            .with(varying, |overrides| f(&*self.kernel, overrides, wo, wi))
+    pub(crate) fn evaluate_job(&self, level: Level, job: &mut EvalJob<T>) {
+        if job.lobes.is_empty() {
+            job.clear();
+        } else {
+            self.kernel.evaluate(level, job);
+        }
     }
 
-    /// The direction, if it is unit to 1e-3 and on a side that there is.
+    /// Samples a job.
+    pub(crate) fn sample_job(&self, level: Level, job: &mut SampleJob<T>) {
+        self.kernel.sample(level, job);
+    }
+
+    /// The lobes that take part in a call.
+    pub(crate) fn wanted_lobes(&self, call: &Call) -> LobeSet {
+        LobeSet::wanted(self.lobes, call.lobes)
+    }
+
+    /// The varying values of many elements: one column for each number, or no columns.
+    pub(crate) fn varying_columns<'a>(&'a self, columns: &'a [&'a [T]]) -> VaryingValues<'a, T> {
+        self.varying.of_many(columns)
+    }
+
+    /// Flags of a sampled lobe; none without a sample.
+    #[inline(always)]
+    pub(crate) fn sampled_flags(&self, lobe: usize, is_found: bool) -> Flags {
+        if is_found {
+            self.lobes[lobe].flags
+        } else {
+            Flags(0)
+        }
+    }
+
+    /// The direction, if it is unit to 1e-3 and on a side that exists.
     #[inline(always)]
     fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
         let w = Vec3::from_array(w.into());
         let is_valid = if self.is_two_sided {
-            bsdf::is_unit(w) && w.z != T::new(0.0)
+            is_unit(w) && w.z != T::new(0.0)
         } else {
-            bsdf::is_above(w)
+            is_above(w)
         };
         is_valid.then_some(w)
     }
 }
 
-fn plan_in_words<T: Precision>(kernel: &dyn Kernel<T>) -> CString {
-    let mut words = kernel.plan().join(", ");
-    if words.is_empty() {
-        words.push_str("all terms");
-    }
-    let batches = match kernel.tiles() {
-        Some(_) => Level::chosen().name(),
-        None => "single calls",
+fn plan_in_words(terms: Vec<&'static str>, level: Level) -> String {
+    let words = if terms.is_empty() {
+        "all terms".to_owned()
+    } else {
+        terms.join(", ")
     };
-    CString::new(format!("{words}; batches by {batches}")).expect("no words contain NUL")
+    format!("{words}; batches by {}", level.name())
 }

@@ -1,7 +1,7 @@
 //! The list of models. A new model adds its line here and nothing anywhere else.
 
 use super::info::{LobeInfo, ModelInfo};
-use super::model::{Compiled, Model};
+use super::model::{KernelResult, Model};
 use super::models::disney_diffuse::DisneyDiffuse;
 use super::models::film::ThinFilm;
 use super::models::lambert::Lambert;
@@ -25,7 +25,7 @@ static MODELS: [RegisteredModel; 8] = [
 ];
 
 /// All models.
-pub fn models() -> &'static [RegisteredModel] {
+pub const fn models() -> &'static [RegisteredModel] {
     &MODELS
 }
 
@@ -46,9 +46,9 @@ pub struct RegisteredModel {
     /// [`Model::check`].
     pub check: fn(&Bounds) -> Result<(), Error>,
     /// [`Model::prepare`] in single precision.
-    pub prepare_f32: fn(&Values<f32>) -> Compiled<f32>,
+    pub prepare_f32: fn(&Values<f32>) -> KernelResult<f32>,
     /// [`Model::prepare`] in double precision: the oracle.
-    pub prepare_f64: fn(&Values<f64>) -> Compiled<f64>,
+    pub prepare_f64: fn(&Values<f64>) -> KernelResult<f64>,
 }
 
 impl RegisteredModel {
@@ -65,6 +65,6 @@ impl RegisteredModel {
 
     /// The model's name.
     pub fn name(&self) -> &'static str {
-        self.info.name.to_str().unwrap_or_default()
+        self.info.name
     }
 }

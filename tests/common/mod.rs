@@ -10,7 +10,6 @@ use pellicle::bsdf::{Exception, Flags, ParamKind, RegisteredModel, Values};
 use pellicle::{Bsdf, Description, Scalar, Status};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use std::ffi::CStr;
 
 pub fn rng(seed: u64) -> Pcg64Mcg {
     Pcg64Mcg::seed_from_u64(seed)
@@ -177,7 +176,7 @@ impl Drawn {
                         choice = rest as usize % choices.len();
                         rest /= choices.len() as u64;
                     }
-                    let name = choices[choice].to_str().unwrap();
+                    let name = choices[choice];
                     description = description.choose(param.name(), name);
                     values.set_choice(index, choice);
                 }
@@ -231,7 +230,7 @@ impl Drawn {
     }
 
     /// What is chosen for the parameter of that name.
-    pub fn choice(&self, name: &str) -> &'static CStr {
+    pub fn choice(&self, name: &str) -> &'static str {
         let index = self.entry.info.param(name).unwrap();
         match self.entry.info.params[index].kind {
             ParamKind::Choice { choices } => choices[self.choices[index]],

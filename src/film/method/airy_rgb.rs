@@ -11,7 +11,7 @@ use crate::optics::RGB_WAVELENGTHS_NM;
 pub(super) const INFO: MethodInfo = MethodInfo {
     cost_ns: |_| 49.0,
     ..MethodInfo::one_layer(
-        c"airy_rgb",
+        "airy_rgb",
         OneLayerCompile {
             single: compile,
             double: compile,

@@ -15,7 +15,7 @@ pub(super) const INFO: MethodInfo = MethodInfo {
     cost_ns: |count| 200.0 + 16.0 * count as f64,
     is_automatic: true,
     ..MethodInfo::one_layer(
-        c"bands",
+        "bands",
         OneLayerCompile {
             single: |layer, count| Ok(Box::new(Bands::new(layer, count)?)),
             double: |layer, count| Ok(Box::new(Bands::new(layer, count)?)),

@@ -9,7 +9,7 @@ use crate::optics::dielectric_reflectance;
 
 /// Exact.
 pub(super) const INFO: MethodInfo = MethodInfo {
-    name: c"fresnel",
+    name: "fresnel",
     sizes: &[1],
     cost_ns: |_| 9.0,
     is_automatic: true,

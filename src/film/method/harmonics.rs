@@ -13,7 +13,7 @@ pub(super) const INFO: MethodInfo = MethodInfo {
     sizes: &[1, 2, 3, 4, 6, 8, 12, 16],
     cost_ns: |order| 55.0 + 28.0 * order as f64,
     ..MethodInfo::one_layer(
-        c"harmonics",
+        "harmonics",
         OneLayerCompile {
             single: compile,
             double: compile,

@@ -8,13 +8,12 @@ use crate::film::plan::planner::{Candidate, Planner};
 use crate::film::plan::points::critical_angles;
 use crate::num::Rgb;
 use crate::optics::stack::Side;
-use std::ffi::CStr;
 
 /// A method: its name, its sizes, its cost and how it is compiled.
 pub(in crate::film) struct MethodInfo {
     /// The name that forces the method ([`FilmDescription::method`]) and that
     /// [`Plan::method`](crate::film::Plan::method) reports.
-    pub name: &'static CStr,
+    pub name: &'static str,
     /// The sizes that are tried; a method without sizes has one, which it ignores.
     pub sizes: &'static [usize],
     /// What a call costs in a size, ns: about the median of `./x chart` on one core of a 2024 server
@@ -60,7 +59,7 @@ const MEASURED: f64 = 0.4;
 impl MethodInfo {
     /// What methods for one layer have in common; they have one size and are not chosen unasked. The
     /// errors of fixed wavelengths and of truncated series jump, because they alias.
-    pub(super) const fn one_layer(name: &'static CStr, compile: OneLayerCompile) -> Self {
+    pub(super) const fn one_layer(name: &'static str, compile: OneLayerCompile) -> Self {
         Self {
             name,
             sizes: &[1],

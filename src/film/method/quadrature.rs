@@ -13,7 +13,7 @@ pub(super) const INFO: MethodInfo = MethodInfo {
     sizes: &[4, 8, 16, 32, 64],
     cost_ns: |count| 40.0 + 13.0 * count as f64,
     ..MethodInfo::one_layer(
-        c"quadrature",
+        "quadrature",
         OneLayerCompile {
             single: compile,
             double: compile,

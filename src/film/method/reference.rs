@@ -13,7 +13,7 @@ const ALWAYS: f64 = 1e-4;
 
 /// [`Reference`](crate::optics::Reference): slow, and it allocates.
 pub(super) const INFO: MethodInfo = MethodInfo {
-    name: c"reference",
+    name: "reference",
     sizes: &[1],
     cost_ns: |_| 1e5,
     is_automatic: true,

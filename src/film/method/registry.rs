@@ -7,7 +7,6 @@ use super::{
     airy_rgb, bands, fresnel, harmonics, quadrature, reference, schlick, series, table, two_beam,
 };
 use crate::error::Error;
-use std::ffi::CStr;
 
 /// All methods.
 pub(in crate::film) const ALL: [&MethodInfo; 10] = [
@@ -25,8 +24,8 @@ pub(in crate::film) const ALL: [&MethodInfo; 10] = [
 
 /// The names that a method is forced by ([`FilmDescription::method`](crate::film::FilmDescription)) and
 /// reported with ([`Plan::method`](crate::film::Plan::method)).
-pub const METHODS: [&CStr; ALL.len()] = {
-    let mut names = [c""; ALL.len()];
+pub const METHODS: [&str; ALL.len()] = {
+    let mut names = [""; ALL.len()];
     let mut i = 0;
     while i < ALL.len() {
         names[i] = ALL[i].name;
@@ -70,7 +69,7 @@ impl OneLayerMethod {
 
     /// The method's name, without its size.
     pub fn name(self) -> &'static str {
-        self.info().name.to_str().unwrap_or_default()
+        self.info().name
     }
 
     /// What an evaluation takes, in words.

@@ -9,7 +9,7 @@ use crate::optics::{Medium, schlick};
 
 /// Three numbers.
 pub(super) const INFO: MethodInfo = MethodInfo {
-    name: c"schlick",
+    name: "schlick",
     sizes: &[1],
     cost_ns: |_| 6.0,
     is_automatic: true,

@@ -19,7 +19,7 @@ const POINTS: usize = 2000;
 
 /// [`FringeSeries`], with all harmonics of one layer.
 pub(super) const INFO: MethodInfo = MethodInfo {
-    name: c"series",
+    name: "series",
     sizes: &[1],
     cost_ns: |_| 1e4,
     is_automatic: true,

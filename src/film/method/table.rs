@@ -7,7 +7,7 @@ use crate::film::table::two_sided::TwoSidedTables;
 
 /// Splines over cosine and thickness.
 pub(super) const INFO: MethodInfo = MethodInfo {
-    name: c"table",
+    name: "table",
     sizes: &[1],
     cost_ns: |_| 13.0,
     is_automatic: true,

@@ -12,7 +12,7 @@ use crate::optics::stack::{P, S};
 pub(super) const INFO: MethodInfo = MethodInfo {
     cost_ns: |_| 41.0,
     ..MethodInfo::one_layer(
-        c"two_beam",
+        "two_beam",
         OneLayerCompile {
             single: compile,
             double: compile,

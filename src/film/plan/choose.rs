@@ -7,13 +7,12 @@ use crate::film::evaluator::Evaluator;
 use crate::film::method::info::MethodInfo;
 use crate::film::method::registry::{ALL, METHODS};
 use crate::optics::Reference;
-use std::ffi::{CStr, CString};
 
 /// What was chosen, and what it was measured to do.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The method's name, one of [`METHODS`](crate::film::METHODS).
-    pub method: &'static CStr,
+    pub method: &'static str,
     /// The error that was allowed.
     pub tolerance: f64,
     /// The greatest error of a channel found, at points that the method was not made from.
@@ -23,7 +22,7 @@ pub struct Plan {
     /// Bytes of the tables.
     pub bytes: usize,
     /// One sentence.
-    pub reason: CString,
+    pub reason: String,
 }
 
 /// Chooses and compiles the cheapest method whose measured error is allowed, or the cheapest size of the
@@ -76,9 +75,7 @@ fn by_cost(
 ) -> Vec<(&'static MethodInfo, usize)> {
     let is_candidate = |method: &&MethodInfo| {
         (method.takes)(description)
-            && forced.map_or(method.is_automatic, |name| {
-                method.name.to_bytes() == name.as_bytes()
-            })
+            && forced.map_or(method.is_automatic, |name| method.name == name)
     };
     let mut candidates: Vec<_> = ALL
         .into_iter()
@@ -91,10 +88,8 @@ fn by_cost(
 
 /// Refuses a name that does not exist, and a method that does not take the film.
 fn check_forced(name: &str, description: &FilmDescription) -> Result<(), Error> {
-    let is_named = |method: &&&MethodInfo| method.name.to_bytes() == name.as_bytes();
-    let Some(method) = ALL.iter().find(is_named) else {
-        let known = METHODS.map(|method| method.to_str().unwrap_or_default());
-        return Err(Error::unknown("method", name, known.into_iter()));
+    let Some(method) = ALL.iter().find(|method| method.name == name) else {
+        return Err(Error::unknown("method", name, METHODS.into_iter()));
     };
     if (method.takes)(description) {
         return Ok(());
@@ -103,11 +98,11 @@ fn check_forced(name: &str, description: &FilmDescription) -> Result<(), Error> 
     Err(Error::unsupported(format!("method '{name}' takes {takes}")))
 }
 
-fn reason(size: &str, method: &MethodInfo, is_forced: bool) -> CString {
+fn reason(size: &str, method: &MethodInfo, is_forced: bool) -> String {
     let why = if is_forced {
         "asked for by name, and it holds the tolerance"
     } else {
         method.reason
     };
-    CString::new(format!("{size}: {why}")).unwrap_or_default()
+    format!("{size}: {why}")
 }
