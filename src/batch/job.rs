@@ -113,7 +113,7 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
                         value: None,
                         pdf: Some(density),
                     };
-                    bsdf.evaluate_job(chunks.level, &mut job);
+                    bsdf.eval_job(chunks.level, &mut job);
                 }
                 let is_value_wanted = !args.value.data.is_null();
                 let is_pdf_wanted = !args.pdf.data.is_null();
@@ -127,7 +127,7 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
                     pdf: is_pdf_wanted.then_some(density),
                 };
                 if is_value_wanted || is_pdf_wanted {
-                    bsdf.evaluate_job(chunks.level, &mut job);
+                    bsdf.eval_job(chunks.level, &mut job);
                 }
                 chunk.write(&args.value, &value);
                 chunk.write(&args.pdf, &pdf);

@@ -1,8 +1,9 @@
 //! The kernel of a model all of whose lobes reflect and have a density.
 
-use super::job::{EvalJob, SampleJob, choices, vary};
-use super::kernel::Kernel;
-use super::lobes::{LobeSet, PerLobe};
+use super::call::Transport;
+use super::job::{Direction, EvalJob, SampleJob, choices, eval_pdf, sample, vary};
+use super::kernel::{Kernel, sample_each};
+use super::lobes::{LobeSet, MAX_LOBES, PerLobe, mixture_density};
 use super::precision::Precision;
 use super::quadrature;
 use super::surface::Surface;
@@ -66,8 +67,94 @@ pub fn kernel<T: Precision>(compiled: impl Compiled<T>) -> Box<dyn Kernel<T>> {
 
 struct LobeKernel<C>(C);
 
+impl<C> LobeKernel<C> {
+    /// Calls `f` with the surface for a call that sets parameters or leaves lobes out; `None` if a value is
+    /// unusable. Kept out of the calls that do neither, which need no surface in memory.
+    #[inline(never)]
+    fn with_varied<T: Precision, R>(
+        &self,
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+        f: impl FnOnce(&C::Surface<'_, T>) -> R,
+    ) -> Option<R>
+    where
+        C: Compiled<T>,
+    {
+        let mut surface = self.0.surface::<T>();
+        if !lobes.is_all() {
+            surface.retain(lobes);
+        }
+        vary(&mut surface, varying, 0).then(|| f(&surface))
+    }
+
+    /// The surface with the description's values.
+    #[inline(always)]
+    fn settled<T: Precision>(&self) -> C::Surface<'_, T>
+    where
+        C: Compiled<T>,
+    {
+        let mut surface = self.0.surface::<T>();
+        surface.finish_vary();
+        surface
+    }
+}
+
+#[inline(always)]
+fn is_plain<T: Precision>(varying: &VaryingValues<T>, lobes: LobeSet) -> bool {
+    varying.is_empty() && lobes.is_all()
+}
+
 impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
-    fn evaluate(&self, level: Level, job: &mut EvalJob<T>) {
+    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T> {
+        if is_plain(varying, lobes) {
+            return self.settled::<T>().eval(wo, wi);
+        }
+        self.with_varied(varying, lobes, |surface| surface.eval(wo, wi))
+            .unwrap_or([T::new(0.0); 3])
+    }
+
+    fn eval_pdf(
+        &self,
+        wo: Vec3<T>,
+        wi: Vec3<T>,
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+    ) -> (Rgb<T>, T) {
+        if is_plain(varying, lobes) {
+            return eval_pdf(&self.settled::<T>(), lobes, wo, wi);
+        }
+        let found = self.with_varied(varying, lobes, |surface| {
+            let (value, densities) = quadrature::eval_outlined(surface, wo, wi);
+            let shares = choices(surface, wo, lobes);
+            (value, mixture_density(&shares, &densities))
+        });
+        found.unwrap_or(([T::new(0.0); 3], T::new(0.0)))
+    }
+
+    fn sample(
+        &self,
+        wo: Vec3<T>,
+        u: [T; 3],
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+        _transport: Transport,
+    ) -> Direction<T> {
+        if is_plain(varying, lobes) {
+            return sample(&self.settled::<T>(), lobes, true, wo, u);
+        }
+        self.with_varied(varying, lobes, |surface| {
+            sample(surface, lobes, true, wo, u)
+        })
+        .unwrap_or(Direction::none())
+    }
+
+    fn eval_job(&self, level: Level, job: &mut EvalJob<T>) {
+        if level.is_scalar() {
+            let (varying, lobes) = (job.varying, job.lobes);
+            return job.run_each(|element, wo, wi| {
+                self.eval_pdf(wo, wi, &varying.element(element), lobes)
+            });
+        }
         T::dispatch(
             level,
             Evaluate {
@@ -77,7 +164,10 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         );
     }
 
-    fn sample(&self, level: Level, job: &mut SampleJob<T>) {
+    fn sample_job(&self, level: Level, job: &mut SampleJob<T>) {
+        if level.is_scalar() {
+            return sample_each(self, job);
+        }
         T::dispatch(
             level,
             Draw {
@@ -87,15 +177,12 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         );
     }
 
-    fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Option<Rgb<T>> {
-        let mut surface = self.0.surface::<T>();
-        if !lobes.is_all() {
-            surface.retain(lobes);
-        }
-        vary(&mut surface, varying, 0).then(|| {
+    fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T> {
+        self.with_varied(varying, lobes, |surface| {
             let closed = surface.closed_albedo();
-            closed.unwrap_or_else(|| quadrature::albedo(&surface, lobes, wo))
+            closed.unwrap_or_else(|| quadrature::albedo(surface, lobes, wo))
         })
+        .unwrap_or([T::new(0.0); 3])
     }
 
     fn lobes(
@@ -103,12 +190,13 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         wo: Vec3<T>,
         wi: Vec3<T>,
         varying: &VaryingValues<T>,
-    ) -> Option<(PerLobe<T>, PerLobe<T>)> {
-        let mut surface = self.0.surface::<T>();
-        vary(&mut surface, varying, 0).then(|| {
-            let (_, densities) = quadrature::eval_outlined(&surface, wo, wi);
-            (choices(&surface, wo, LobeSet::ALL), densities)
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        let none = [T::new(0.0); MAX_LOBES];
+        self.with_varied(varying, LobeSet::ALL, |surface| {
+            let (_, densities) = quadrature::eval_outlined(surface, wo, wi);
+            (choices(surface, wo, LobeSet::ALL), densities)
         })
+        .unwrap_or((none, none))
     }
 
     fn plan(&self) -> Vec<&'static str> {

@@ -3,14 +3,14 @@
 use super::call::Call;
 use super::description::Description;
 use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
-use super::job::{EvalJob, SampleJob, is_above, is_unit};
+use super::job::{Direction, EvalJob, SampleJob, are_uniform, is_above, is_unit};
 use super::kernel::Kernel;
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
 use super::precision::Precision;
 use super::registry::find;
 use super::varying::{VaryingParams, VaryingRange, VaryingValues};
 use crate::error::Error;
-use crate::num::{Columns, ColumnsMut, Level, Rgb, Vec3};
+use crate::num::{Level, Rgb, Vec3};
 
 /// Values at a pair of directions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -89,7 +89,7 @@ impl<T: Precision> Bsdf<T> {
         let resolved = description.resolve(model)?;
         let values = resolved.values_in::<T>(model.info);
         let lobes = (model.lobes)(&resolved.values);
-        let kernel = T::prepare(model.prepare_f32, model.prepare_f64, &values)?;
+        let kernel = T::prepare(|| model.prepare, || model.oracle(), &values)?;
         Ok(Self {
             plan: plan_in_words(kernel.plan(), level),
             info: model.info,
@@ -157,12 +157,27 @@ impl<T: Precision> Bsdf<T> {
 
     /// f(wo, wi) |wi.z|.
     pub fn eval(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>, call: &Call) -> Rgb<T> {
-        let mut value = [T::new(0.0); 3];
-        self.evaluate_one(wo.into(), wi.into(), varying, call, Some(&mut value), None);
-        value
+        self.at_pair(wo, wi, varying, call, |wo, wi, varying, lobes| {
+            self.kernel.eval(wo, wi, varying, lobes)
+        })
+        .unwrap_or([T::new(0.0); 3])
     }
 
-    /// [`Bsdf::eval`], the density with which [`Bsdf::sample`] finds wi, and the density of the reverse.
+    /// [`Bsdf::eval`] and the density with which [`Bsdf::sample`] finds wi, per solid angle.
+    pub fn eval_pdf(
+        &self,
+        wo: T::Vector,
+        wi: T::Vector,
+        varying: Option<&[T]>,
+        call: &Call,
+    ) -> (Rgb<T>, T) {
+        self.at_pair(wo, wi, varying, call, |wo, wi, varying, lobes| {
+            self.kernel.eval_pdf(wo, wi, varying, lobes)
+        })
+        .unwrap_or(([T::new(0.0); 3], T::new(0.0)))
+    }
+
+    /// [`Bsdf::eval_pdf`], and the density of the reverse.
     pub fn evaluate(
         &self,
         wo: T::Vector,
@@ -171,7 +186,7 @@ impl<T: Precision> Bsdf<T> {
         call: &Call,
     ) -> Evaluation<T> {
         let (value, pdf) = self.eval_pdf(wo, wi, varying, call);
-        let pdf_reverse = self.pdf(wi, wo, varying, call);
+        let (_, pdf_reverse) = self.eval_pdf(wi, wo, varying, call);
         Evaluation {
             value,
             pdf,
@@ -179,49 +194,20 @@ impl<T: Precision> Bsdf<T> {
         }
     }
 
-    /// [`Bsdf::eval`] and the density with which [`Bsdf::sample`] finds wi.
-    pub fn eval_pdf(
+    /// Calls `f` if both directions and the number of varying values are valid, and a lobe takes part.
+    #[inline(always)]
+    fn at_pair<R>(
         &self,
         wo: T::Vector,
         wi: T::Vector,
         varying: Option<&[T]>,
         call: &Call,
-    ) -> (Rgb<T>, T) {
-        let (mut value, mut pdf) = ([T::new(0.0); 3], [T::new(0.0)]);
-        let target = Some(&mut value);
-        self.evaluate_one(wo.into(), wi.into(), varying, call, target, Some(&mut pdf));
-        (value, pdf[0])
-    }
-
-    /// The density with which [`Bsdf::sample`] finds wi.
-    pub fn pdf(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>, call: &Call) -> T {
-        let mut pdf = [T::new(0.0)];
-        self.evaluate_one(wo.into(), wi.into(), varying, call, None, Some(&mut pdf));
-        pdf[0]
-    }
-
-    /// A job of one element. Leaves the outputs as they are where nothing is reflected.
-    #[inline(always)]
-    fn evaluate_one(
-        &self,
-        wo: [T; 3],
-        wi: [T; 3],
-        varying: Option<&[T]>,
-        call: &Call,
-        value: Option<&mut [T; 3]>,
-        pdf: Option<&mut [T; 1]>,
-    ) {
-        if let Some(varying) = self.varying.of_one(varying) {
-            let mut job = EvalJob {
-                wo: Columns::of_one(&wo),
-                wi: Columns::of_one(&wi),
-                varying,
-                lobes: LobeSet::wanted(self.lobes, call.lobes),
-                value: value.map(ColumnsMut::of_one),
-                pdf: pdf.map(<[T; 1]>::as_mut_slice),
-            };
-            self.evaluate_job(Level::SCALAR, &mut job);
-        }
+        f: impl FnOnce(Vec3<T>, Vec3<T>, &VaryingValues<T>, LobeSet) -> R,
+    ) -> Option<R> {
+        let (wo, wi) = (self.direction(wo)?, self.direction(wi)?);
+        let lobes = LobeSet::wanted(self.lobes, call.lobes);
+        let varying = self.varying.of_one(varying)?;
+        (!lobes.is_empty()).then(|| f(wo, wi, &varying, lobes))
     }
 
     /// The probability of choosing each lobe, and each lobe's own density at wi.
@@ -233,11 +219,10 @@ impl<T: Precision> Bsdf<T> {
         varying: Option<&[T]>,
     ) -> (PerLobe<T>, PerLobe<T>) {
         let none = [T::new(0.0); MAX_LOBES];
-        let found = || {
-            let (wo, wi) = (self.direction(wo)?, self.direction(wi)?);
-            self.kernel.lobes(wo, wi, &self.varying.of_one(varying)?)
-        };
-        found().unwrap_or((none, none))
+        self.at_pair(wo, wi, varying, &Call::default(), |wo, wi, varying, _| {
+            self.kernel.lobes(wo, wi, varying)
+        })
+        .unwrap_or((none, none))
     }
 
     /// A direction for three uniform numbers in [0, 1), of which the first chooses the lobe.
@@ -248,35 +233,23 @@ impl<T: Precision> Bsdf<T> {
         varying: Option<&[T]>,
         call: &Call,
     ) -> Sample<T> {
-        let zero = T::new(0.0);
-        let (wo, u): ([T; 3], [T; 3]) = (wo.into(), u.into());
-        let (mut wi, mut weight) = ([zero; 3], [zero; 3]);
-        let [mut pdf, mut eta, mut lobe, mut lobe_probability] = [[zero]; 4];
-        if let Some(varying) = self.varying.of_one(varying) {
-            let mut job = SampleJob {
-                wo: Columns::of_one(&wo),
-                u: Columns::of_one(&u),
-                varying,
-                lobes: LobeSet::wanted(self.lobes, call.lobes),
-                transport: call.transport,
-                wi: ColumnsMut::of_one(&mut wi),
-                weight: ColumnsMut::of_one(&mut weight),
-                pdf: &mut pdf,
-                eta: &mut eta,
-                lobe: &mut lobe,
-                lobe_probability: &mut lobe_probability,
-            };
-            self.kernel.sample(Level::SCALAR, &mut job);
-        }
-        let number = lobe[0].to_f32() as usize;
+        let u: [T; 3] = u.into();
+        let lobes = LobeSet::wanted(self.lobes, call.lobes);
+        let drawn = self.direction(wo).and_then(|wo| {
+            let varying = self.varying.of_one(varying)?;
+            let sample = || self.kernel.sample(wo, u, &varying, lobes, call.transport);
+            (are_uniform(u) && !lobes.is_empty()).then(sample)
+        });
+        let drawn = drawn.unwrap_or(Direction::none());
+        let lobe = drawn.lobe.to_f32() as usize;
         Sample {
-            wi: wi.into(),
-            pdf: pdf[0],
-            weight,
-            eta: eta[0],
-            flags: self.sampled_flags(number, lobe_probability[0] > zero),
-            lobe: number,
-            lobe_probability: lobe_probability[0],
+            wi: drawn.wi.to_array().into(),
+            pdf: drawn.pdf,
+            weight: drawn.weight,
+            eta: drawn.eta,
+            flags: self.sampled_flags(lobe, drawn.lobe_probability > T::new(0.0)),
+            lobe,
+            lobe_probability: drawn.lobe_probability,
         }
     }
 
@@ -288,24 +261,27 @@ impl<T: Precision> Bsdf<T> {
         let lobes = LobeSet::wanted(self.lobes, call.lobes);
         let found = || {
             let (wo, varying) = (self.direction(wo)?, self.varying.of_one(varying)?);
-            self.kernel.albedo(wo, &varying, lobes)
+            (!lobes.is_empty()).then(|| self.kernel.albedo(wo, &varying, lobes))
         };
         found().unwrap_or([T::new(0.0); 3])
     }
 
     /// Evaluates a job; 0 without lobes.
-    #[inline(always)]
-    pub(crate) fn evaluate_job(&self, level: Level, job: &mut EvalJob<T>) {
+    pub(crate) fn eval_job(&self, level: Level, job: &mut EvalJob<T>) {
         if job.lobes.is_empty() {
             job.clear();
         } else {
-            self.kernel.evaluate(level, job);
+            self.kernel.eval_job(level, job);
         }
     }
 
-    /// Samples a job.
+    /// Samples a job; 0 without lobes.
     pub(crate) fn sample_job(&self, level: Level, job: &mut SampleJob<T>) {
-        self.kernel.sample(level, job);
+        if job.lobes.is_empty() {
+            job.run_each(|_, _, _| Direction::none());
+        } else {
+            self.kernel.sample_job(level, job);
+        }
     }
 
     /// The lobes that take part in a call.

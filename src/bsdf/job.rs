@@ -1,7 +1,7 @@
-//! Jobs: what a kernel does with a surface, for one element or for many.
+//! What a kernel does with a surface: for one element, and in jobs for many.
 //!
-//! The loops are written once, generic over the lane type. A single call is a job of one element at the
-//! width 1; a batch is a job of many elements at the processor's width.
+//! What is done with an element ([`eval_pdf`], [`sample`], [`vary`]) is written once, generic over the lane
+//! type: a single call does it at the width 1, and a job's loop at the processor's width.
 
 use super::call::Transport;
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe, mixture_density, normalized};
@@ -9,7 +9,7 @@ use super::surface::Surface;
 use super::varying::{MAX_VARYING, VaryingValues};
 use crate::num::{Columns, ColumnsMut, Lane, Mask, Real, Rgb, Vec3, each};
 
-/// Evaluates values, densities or both.
+/// Values, densities or both of many elements.
 pub struct EvalJob<'a, T> {
     /// Directions to the viewer; any numbers.
     pub wo: Columns<'a, T>,
@@ -25,7 +25,7 @@ pub struct EvalJob<'a, T> {
     pub pdf: Option<&'a mut [T]>,
 }
 
-/// Samples directions. Without a valid sample every output is 0.
+/// Sampled directions of many elements. Without a valid sample every output is 0.
 pub struct SampleJob<'a, T> {
     /// Directions to the viewer; any numbers.
     pub wo: Columns<'a, T>,
@@ -87,7 +87,7 @@ pub fn are_uniform<T: Real>(u: [T; 3]) -> T::Mask {
     is_uniform(u[0]) & is_uniform(u[1]) & is_uniform(u[2])
 }
 
-impl<T: Lane<Scalar = T, Mask = bool> + PartialOrd> EvalJob<'_, T> {
+impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
     /// Does the job with a surface that has the description's values.
     #[inline(always)]
     pub fn run<L: Lane<Scalar = T>, S: Surface<L>>(&mut self, mut surface: S) {
@@ -97,7 +97,8 @@ impl<T: Lane<Scalar = T, Mask = bool> + PartialOrd> EvalJob<'_, T> {
         surface.finish_vary();
         let count = self.wo.count();
         // The most frequent case has a loop of its own, in which nothing depends on the element but the
-        // directions: the compiler moves out of it what follows from the parameters.
+        // directions: the compiler moves out of it what follows from the parameters. These are plain loops,
+        // as closures given to the standard library are compiled without the level's instructions.
         if self.pdf.is_none() && self.varying.is_empty() {
             for from in (0..count).step_by(L::COUNT) {
                 let (wo, wi, is_seen) = self.directions::<L>(from);
@@ -112,30 +113,30 @@ impl<T: Lane<Scalar = T, Mask = bool> + PartialOrd> EvalJob<'_, T> {
             }
             let (wo, wi, is_seen) = self.directions::<L>(from);
             let is_seen = is_seen & is_usable;
-            // One number at a time, what is not wanted is not computed; in lanes a third loop is not worth
-            // the time to compile it.
-            if L::COUNT == 1 && self.pdf.is_none() {
-                self.store_value(from, is_seen, surface.eval(wo, wi));
-                continue;
-            }
-            let (value, densities) = surface.eval_with_densities(wo, wi);
+            let (value, density) = eval_pdf(&surface, self.lobes, wo, wi);
             self.store_value(from, is_seen, value);
             if let Some(pdf) = &mut self.pdf {
-                let density = mixture_density(&choices(&surface, wo, self.lobes), &densities);
                 let density = L::select(is_seen, density, L::new(0.0));
                 density.store(&mut pdf[from..from + L::COUNT]);
             }
         }
     }
 
+    /// Does the job element by element. `eval_pdf` returns value and density for directions above the surface.
+    pub fn run_each(&mut self, mut eval_pdf: impl FnMut(usize, Vec3<T>, Vec3<T>) -> (Rgb<T>, T)) {
+        for element in 0..self.wo.count() {
+            let (wo, wi, is_seen) = self.directions::<T>(element);
+            let (value, density) = eval_pdf(element, wo, wi);
+            self.store_value(element, is_seen, value);
+            if let Some(pdf) = &mut self.pdf {
+                pdf[element] = T::select(is_seen, density, T::new(0.0));
+            }
+        }
+    }
+
     /// Writes zeros: no lobe has a density.
     pub fn clear(&mut self) {
-        for from in 0..self.wo.count() {
-            self.store_value(from, true, [T::new(0.0); 3]);
-        }
-        if let Some(pdf) = &mut self.pdf {
-            pdf.fill(T::new(0.0));
-        }
+        self.run_each(|_, _, _| ([T::new(0.0); 3], T::new(0.0)));
     }
 
     /// wo, wi, and whether both are above the surface.
@@ -158,7 +159,7 @@ impl<T: Lane<Scalar = T, Mask = bool> + PartialOrd> EvalJob<'_, T> {
     }
 }
 
-impl<T: Lane<Scalar = T, Mask = bool> + PartialOrd> SampleJob<'_, T> {
+impl<T: Lane<Scalar = T>> SampleJob<'_, T> {
     /// Does the job with a surface that has the description's values.
     #[inline(always)]
     pub fn run<L: Lane<Scalar = T>, S: Surface<L>>(&mut self, mut surface: S) {
@@ -173,45 +174,30 @@ impl<T: Lane<Scalar = T, Mask = bool> + PartialOrd> SampleJob<'_, T> {
             }
             let wo = Vec3::from_array(self.wo.load::<L>(from));
             let u = self.u.load::<L>(from);
-            let sampled = sample(&surface, self.lobes, wo, u);
-            self.store(from, is_usable & is_above(wo) & are_uniform(u), sampled);
+            let is_usable = is_usable & is_above(wo) & are_uniform(u);
+            self.store(from, sample(&surface, self.lobes, is_usable, wo, u));
         }
     }
 
-    /// Does the job element by element, for a kernel whose lobes are Dirac. `draw` gets the varying values
-    /// as pairs of parameter index and value, wo (unit, above the surface or, with `is_two_sided`, not along
-    /// it) and the uniform numbers.
-    pub fn run_each(
-        &mut self,
-        is_two_sided: bool,
-        mut draw: impl FnMut(&[(usize, [T; 3])], Vec3<T>, [T; 3]) -> Option<Direction<T>>,
-    ) {
-        let zero = T::new(0.0);
+    /// Does the job element by element.
+    pub fn run_each(&mut self, mut draw: impl FnMut(usize, Vec3<T>, [T; 3]) -> Direction<T>) {
         for element in 0..self.wo.count() {
             let wo = Vec3::from_array(self.wo.load::<T>(element));
             let u = self.u.load::<T>(element);
-            let is_valid = is_unit(wo) & (wo.z > zero || is_two_sided && wo.z < zero);
-            let drawn = with_overrides(&self.varying, element, |overrides| {
-                (is_valid && are_uniform(u)).then(|| draw(overrides, wo, u))
-            });
-            let drawn = drawn.flatten().flatten();
-            self.store(element, drawn.is_some(), drawn.unwrap_or(Direction::none()));
+            self.store(element, draw(element, wo, u));
         }
     }
 
     #[inline(always)]
-    fn store<L: Lane<Scalar = T>>(&mut self, from: usize, is_usable: L::Mask, d: Direction<L>) {
-        let zero = L::new(0.0);
+    fn store<L: Lane<Scalar = T>>(&mut self, from: usize, direction: Direction<L>) {
         let to = from + L::COUNT;
-        let kept = |number: L| L::select(is_usable, number, zero);
-        let [x, y, z] = d.wi.to_array();
-        self.wi.store(from, [kept(x), kept(y), kept(z)]);
-        let [r, g, b] = d.weight;
-        self.weight.store(from, [kept(r), kept(g), kept(b)]);
-        kept(d.pdf).store(&mut self.pdf[from..to]);
-        kept(d.eta).store(&mut self.eta[from..to]);
-        kept(d.lobe).store(&mut self.lobe[from..to]);
-        kept(d.lobe_probability).store(&mut self.lobe_probability[from..to]);
+        self.wi.store(from, direction.wi.to_array());
+        self.weight.store(from, direction.weight);
+        direction.pdf.store(&mut self.pdf[from..to]);
+        direction.eta.store(&mut self.eta[from..to]);
+        direction.lobe.store(&mut self.lobe[from..to]);
+        let probability = direction.lobe_probability;
+        probability.store(&mut self.lobe_probability[from..to]);
     }
 }
 
@@ -231,16 +217,15 @@ impl<L: Lane> Direction<L> {
     }
 }
 
-/// Calls `f` with the varying values of an element as pairs of parameter index and value; `None` if one is
-/// unusable.
+/// Calls `f` with the varying values of a single call as pairs of parameter index and value; `None` if one
+/// is unusable.
 pub fn with_overrides<T: Lane<Scalar = T, Mask = bool>, R>(
     varying: &VaryingValues<T>,
-    element: usize,
     f: impl FnOnce(&[(usize, [T; 3])]) -> R,
 ) -> Option<R> {
     let mut overrides = [(0, [T::new(0.0); 3]); MAX_VARYING];
     let mut count = 0;
-    let is_usable = varying.clamp_inputs::<T>(element, |param, value| {
+    let is_usable = varying.clamp_inputs::<T>(0, |param, value| {
         overrides[count] = (param, value);
         count += 1;
     });
@@ -278,11 +263,27 @@ pub fn choices<L: Lane, S: Surface<L>>(surface: &S, wo: Vec3<L>, lobes: LobeSet)
     normalized(shares)
 }
 
-/// A direction of a lobe chosen by the first number.
+/// Value, and the density of all lobes together.
 #[inline(always)]
-fn sample<L: Lane, S: Surface<L>>(
+pub fn eval_pdf<L: Lane, S: Surface<L>>(
     surface: &S,
     lobes: LobeSet,
+    wo: Vec3<L>,
+    wi: Vec3<L>,
+) -> (Rgb<L>, L) {
+    let (value, densities) = surface.eval_with_densities(wo, wi);
+    (
+        value,
+        mixture_density(&choices(surface, wo, lobes), &densities),
+    )
+}
+
+/// A direction of a lobe chosen by the first number, where the inputs are usable.
+#[inline(always)]
+pub fn sample<L: Lane, S: Surface<L>>(
+    surface: &S,
+    lobes: LobeSet,
+    is_usable: L::Mask,
     wo: Vec3<L>,
     u: [L; 3],
 ) -> Direction<L> {
@@ -310,17 +311,15 @@ fn sample<L: Lane, S: Surface<L>>(
     wi = Vec3::select(is_above, wi, wo);
     let (value, densities) = surface.eval_with_densities(wo, wi);
     let pdf = mixture_density(&shares, &densities);
-    let is_found = is_above & pdf.gt(zero) & pdf.is_finite();
-    let kept = |number: L| L::select(is_found, number, zero);
-    let [x, y, z] = wi.to_array();
-    let [r, g, b] = value;
+    let is_found = is_usable & is_above & pdf.gt(zero) & pdf.is_finite();
+    let [x, y, z] = each!(wi.to_array(), |number| L::select(is_found, number, zero));
     Direction {
-        wi: Vec3::new(kept(x), kept(y), kept(z)),
-        pdf: kept(pdf),
-        weight: [kept(r / pdf), kept(g / pdf), kept(b / pdf)],
-        eta: kept(one),
-        lobe: kept(number),
-        lobe_probability: kept(probability),
+        wi: Vec3::new(x, y, z),
+        pdf: L::select(is_found, pdf, zero),
+        weight: each!(value, |value| L::select(is_found, value / pdf, zero)),
+        eta: L::select(is_found, one, zero),
+        lobe: L::select(is_found, number, zero),
+        lobe_probability: L::select(is_found, probability, zero),
     }
 }
 

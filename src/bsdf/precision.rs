@@ -17,17 +17,17 @@ pub trait Precision: Lane<Mask = bool, Scalar = Self> + PartialOrd + Default + I
     /// Rounded to single precision, in which films are evaluated.
     fn to_f32(self) -> f32;
 
-    /// Does the work at a level; double precision has the width 1 alone.
-    fn dispatch<W: Work<Self>>(level: Level, work: W) -> W::Output;
+    /// Does the work of a batch at a level. Double precision has no batches: it does nothing.
+    fn dispatch<W: Work<Self, Output = ()>>(level: Level, work: W);
 
     /// [`Film::reflectance`] in lanes.
     fn reflectance<L: Lane<Scalar = Self>>(film: &Film, cos_theta: L, thickness_nm: L) -> Rgb<L>;
 
-    /// Calls whichever of a model's two compilers is that of this precision.
+    /// Calls the compiler of this precision.
     #[doc(hidden)]
     fn prepare(
-        single: Prepare<f32>,
-        double: Prepare<f64>,
+        single: impl FnOnce() -> Prepare<f32>,
+        double: impl FnOnce() -> Prepare<f64>,
         values: &Values<Self>,
     ) -> Result<Box<dyn Kernel<Self>>, Error>;
 }
@@ -41,8 +41,8 @@ impl Precision for f32 {
     }
 
     #[inline(always)]
-    fn dispatch<W: Work<f32>>(level: Level, work: W) -> W::Output {
-        level.run(work)
+    fn dispatch<W: Work<f32, Output = ()>>(level: Level, work: W) {
+        level.run(work);
     }
 
     #[inline(always)]
@@ -54,11 +54,11 @@ impl Precision for f32 {
     }
 
     fn prepare(
-        single: Prepare<f32>,
-        _double: Prepare<f64>,
+        single: impl FnOnce() -> Prepare<f32>,
+        _double: impl FnOnce() -> Prepare<f64>,
         values: &Values<f32>,
     ) -> Result<Box<dyn Kernel<f32>>, Error> {
-        single(values)
+        single()(values)
     }
 }
 
@@ -71,9 +71,7 @@ impl Precision for f64 {
     }
 
     #[inline(always)]
-    fn dispatch<W: Work<f64>>(_level: Level, work: W) -> W::Output {
-        work.run::<f64>()
-    }
+    fn dispatch<W: Work<f64, Output = ()>>(_level: Level, _work: W) {}
 
     #[inline(always)]
     fn reflectance<L: Lane<Scalar = f64>>(film: &Film, cos_theta: L, thickness_nm: L) -> Rgb<L> {
@@ -87,10 +85,10 @@ impl Precision for f64 {
     }
 
     fn prepare(
-        _single: Prepare<f32>,
-        double: Prepare<f64>,
+        _single: impl FnOnce() -> Prepare<f32>,
+        double: impl FnOnce() -> Prepare<f64>,
         values: &Values<f64>,
     ) -> Result<Box<dyn Kernel<f64>>, Error> {
-        double(values)
+        double()(values)
     }
 }

@@ -44,6 +44,8 @@ pub(super) struct VaryingParams<T> {
 pub struct VaryingValues<'a, T> {
     slots: &'a [VaryingSlot<T>],
     numbers: VaryingNumbers<'a, T>,
+    /// The element that counts as the first.
+    first: usize,
 }
 
 /// The numbers of all parameters, one parameter after another.
@@ -97,6 +99,7 @@ impl<T: Lane<Scalar = T>> VaryingParams<T> {
         (numbers.len() == self.defaults.len()).then_some(VaryingValues {
             slots: &self.slots,
             numbers: VaryingNumbers::One(numbers),
+            first: 0,
         })
     }
 
@@ -109,6 +112,7 @@ impl<T: Lane<Scalar = T>> VaryingParams<T> {
         VaryingValues {
             slots: &self.slots,
             numbers: VaryingNumbers::Many(columns),
+            first: 0,
         }
     }
 }
@@ -120,6 +124,15 @@ impl<T: Lane<Scalar = T>> VaryingValues<'_, T> {
         Self {
             slots: &[],
             numbers: VaryingNumbers::One(&[]),
+            first: 0,
+        }
+    }
+
+    /// The values of one element.
+    pub fn element(&self, element: usize) -> Self {
+        Self {
+            first: self.first + element,
+            ..*self
         }
     }
 
@@ -140,7 +153,7 @@ impl<T: Lane<Scalar = T>> VaryingValues<'_, T> {
     ) -> L::Mask {
         let mut is_usable = L::new(0.0).equals(L::new(0.0));
         for slot in self.slots {
-            let value = self.numbers.load::<L>(slot, from);
+            let value = self.numbers.load::<L>(slot, self.first + from);
             let [x, y, z] = value;
             is_usable = is_usable & x.is_finite() & y.is_finite() & z.is_finite();
             let value = if slot.is_direction {

@@ -116,7 +116,7 @@ impl Film {
             Evaluator::Tables(tables) => tables.over_ambient_cosine(),
             _ => None,
         };
-        if let Some(table) = table {
+        if let Some(table) = table.filter(|_| !level.is_scalar()) {
             level.run(TileLookUp {
                 film: self,
                 table,

@@ -32,7 +32,7 @@
 use super::power_lobe::mean;
 use crate::bsdf::call::Transport;
 use crate::bsdf::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::job::{Direction, EvalJob, SampleJob, chosen_lobe, only, with_overrides};
+use crate::bsdf::job::{Direction, chosen_lobe, only, with_overrides};
 use crate::bsdf::kernel::Kernel;
 use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, normalized};
 use crate::bsdf::model::{KernelResult, Model};
@@ -40,7 +40,7 @@ use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
 use crate::bsdf::varying::VaryingValues;
 use crate::film::{Film, MAX_THICKNESS_NM};
-use crate::num::{Level, Real, Rgb, Vec3};
+use crate::num::{Real, Rgb, Vec3};
 use crate::optics::Interface;
 use crate::optics::stack::Side;
 use std::sync::Arc;
@@ -230,14 +230,15 @@ fn in_precision<T: Real>(rgb: Rgb<f32>) -> Rgb<T> {
 }
 
 impl<T: Precision> Kernel<T> for SmoothFilm<T> {
-    fn evaluate(&self, _level: Level, job: &mut EvalJob<T>) {
-        job.clear();
-    }
-
-    fn sample(&self, _level: Level, job: &mut SampleJob<T>) {
-        let (lobes, transport) = (job.lobes, job.transport);
-        job.run_each(self.refraction.is_some(), |overrides, wo, u| {
-            let split = self.split(overrides, wo);
+    fn sample(
+        &self,
+        wo: Vec3<T>,
+        u: [T; 3],
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+        transport: Transport,
+    ) -> Direction<T> {
+        let draw = |split: Split<T>| {
             let shares = split.choose(lobes);
             let lobe = only(&chosen_lobe(&shares, u[0]))?;
             let (wi, eta) = if lobe == REFLECTION_LOBE {
@@ -254,12 +255,14 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
                 lobe: T::new(lobe as f64),
                 lobe_probability: shares[lobe],
             })
-        });
+        };
+        with_overrides(varying, |overrides| self.split(overrides, wo))
+            .and_then(draw)
+            .unwrap_or(Direction::none())
     }
 
-    fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Option<Rgb<T>> {
-        with_overrides(varying, 0, |overrides| {
-            let split = self.split(overrides, wo);
+    fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T> {
+        let sum = |split: Split<T>| {
             let [r, t] = [REFLECTION_LOBE, TRANSMISSION_LOBE].map(|lobe| {
                 if lobes.contains(lobe) {
                     split.throughput(lobe, Transport::Radiance)
@@ -268,7 +271,8 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
                 }
             });
             std::array::from_fn(|channel| r[channel] + t[channel])
-        })
+        };
+        with_overrides(varying, |overrides| self.split(overrides, wo)).map_or([T::new(0.0); 3], sum)
     }
 
     fn lobes(
@@ -276,11 +280,14 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
         wo: Vec3<T>,
         _wi: Vec3<T>,
         varying: &VaryingValues<T>,
-    ) -> Option<(PerLobe<T>, PerLobe<T>)> {
-        with_overrides(varying, 0, |overrides| {
-            let shares = self.split(overrides, wo).choose(LobeSet::ALL);
-            (shares, [T::new(0.0); MAX_LOBES])
-        })
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        let none = [T::new(0.0); MAX_LOBES];
+        let split = with_overrides(varying, |overrides| self.split(overrides, wo));
+        (split.map_or(none, |split| split.choose(LobeSet::ALL)), none)
+    }
+
+    fn is_two_sided(&self) -> bool {
+        self.refraction.is_some()
     }
 
     fn plan(&self) -> Vec<&'static str> {

@@ -79,12 +79,20 @@ impl Level {
         }
     }
 
+    /// Whether it is one number at a time.
+    pub fn is_scalar(self) -> bool {
+        self.name() == "scalar"
+    }
+
     /// Does the work with these instructions.
+    ///
+    /// # Panics
+    /// At the level "scalar", for which single calls are made: no loop is compiled for it.
     #[inline]
     pub fn run<W: Work<f32>>(self, work: W) -> W::Output {
         use fearless_simd::Level as Found;
         let Width::Lanes(found) = self.0 else {
-            return work.run::<f32>();
+            panic!("no loop is compiled for the level \"scalar\"");
         };
         match found {
             #[cfg(target_arch = "x86_64")]
@@ -95,7 +103,7 @@ impl Level {
             Found::Sse2(token) => run_with(token, work),
             #[cfg(target_arch = "aarch64")]
             Found::Neon(token) => run_with(token, work),
-            _ => work.run::<f32>(),
+            _ => panic!("no loop is compiled for the level \"scalar\""),
         }
     }
 }

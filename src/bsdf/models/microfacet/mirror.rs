@@ -2,12 +2,13 @@
 
 use super::fresnel::CompiledFresnel;
 use super::masking::Masking;
-use crate::bsdf::job::{Direction, EvalJob, SampleJob, with_overrides};
+use crate::bsdf::call::Transport;
+use crate::bsdf::job::{Direction, with_overrides};
 use crate::bsdf::kernel::Kernel;
 use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, first_lobe};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::varying::VaryingValues;
-use crate::num::{Level, Rgb, Vec3};
+use crate::num::{Rgb, Vec3};
 
 /// The mirror, compiled.
 pub(super) struct Mirror<T: Precision> {
@@ -29,25 +30,28 @@ impl<T: Precision> Mirror<T> {
 }
 
 impl<T: Precision> Kernel<T> for Mirror<T> {
-    fn evaluate(&self, _level: Level, job: &mut EvalJob<T>) {
-        job.clear();
+    fn sample(
+        &self,
+        wo: Vec3<T>,
+        _u: [T; 3],
+        varying: &VaryingValues<T>,
+        _lobes: LobeSet,
+        _transport: Transport,
+    ) -> Direction<T> {
+        let weight = with_overrides(varying, |overrides| self.reflectance(overrides, wo));
+        weight.map_or(Direction::none(), |weight| Direction {
+            wi: wo.mirrored(),
+            pdf: T::new(0.0),
+            weight,
+            eta: T::new(1.0),
+            lobe: T::new(0.0),
+            lobe_probability: T::new(1.0),
+        })
     }
 
-    fn sample(&self, _level: Level, job: &mut SampleJob<T>) {
-        job.run_each(false, |overrides, wo, _u| {
-            Some(Direction {
-                wi: wo.mirrored(),
-                pdf: T::new(0.0),
-                weight: self.reflectance(overrides, wo),
-                eta: T::new(1.0),
-                lobe: T::new(0.0),
-                lobe_probability: T::new(1.0),
-            })
-        });
-    }
-
-    fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, _: LobeSet) -> Option<Rgb<T>> {
-        with_overrides(varying, 0, |overrides| self.reflectance(overrides, wo))
+    fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, _: LobeSet) -> Rgb<T> {
+        with_overrides(varying, |overrides| self.reflectance(overrides, wo))
+            .unwrap_or([T::new(0.0); 3])
     }
 
     fn lobes(
@@ -55,8 +59,8 @@ impl<T: Precision> Kernel<T> for Mirror<T> {
         _wo: Vec3<T>,
         _wi: Vec3<T>,
         _varying: &VaryingValues<T>,
-    ) -> Option<(PerLobe<T>, PerLobe<T>)> {
-        Some((first_lobe(T::new(1.0)), [T::new(0.0); MAX_LOBES]))
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        (first_lobe(T::new(1.0)), [T::new(0.0); MAX_LOBES])
     }
 
     fn plan(&self) -> Vec<&'static str> {
