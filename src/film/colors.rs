@@ -1,6 +1,6 @@
 //! Colours of a film, and the ranges of what goes in and what comes out.
 
-use crate::num::{Lane, Real, Rgb};
+use crate::num::{Lane, Mask, Real, Rgb, each};
 use crate::optics::Converged;
 
 /// Reflectance and transmittance of unpolarised light, linear RGB, as fractions of the power that
@@ -50,11 +50,15 @@ pub(super) fn clamp_inputs<L: Real>(
 /// The colour clipped to a range (least, greatest) per channel, and 0 where `is_number` is false.
 #[inline(always)]
 pub(super) fn clip<L: Lane>(rgb: L::Rgb, [least, greatest]: [L; 2], is_number: L::Mask) -> L::Rgb {
-    // A range of 0 to 0 takes fewer operations than a choice per channel.
-    let zero = L::new(0.0);
-    let [least, greatest] = [
-        L::select(is_number, least, zero),
-        L::select(is_number, greatest, zero),
-    ];
-    rgb.max(least.gray()).min(greatest.gray())
+    let clipped = rgb.max(least.gray()).min(greatest.gray());
+    // Hardly ever, so that a branch costs less than a choice.
+    if (!is_number).any() {
+        let channels = L::channels(clipped);
+        return L::rgb(each!(channels, |channel| L::select(
+            is_number,
+            channel,
+            L::new(0.0)
+        )));
+    }
+    clipped
 }

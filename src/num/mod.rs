@@ -21,6 +21,7 @@ pub use lane::Lane;
 pub use lanes::{F64x4, Level, Work, widest};
 pub use real::{Mask, Real};
 pub(crate) use rgb::each;
+pub(crate) use table::INDEX_BIAS;
 pub use table::{TableBlock, TableEntry};
 pub use vec3::{Rgb, Vec3};
 

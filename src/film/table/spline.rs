@@ -3,10 +3,7 @@
 use super::axes::{Axes, Coordinates};
 use crate::error::Error;
 use crate::num::spline::{controls, weights};
-use crate::num::{Lane, Real, Rgb, TableBlock, TableEntry, each};
-
-/// Adding 2^23 to a number in [0, 2^22] and taking it away rounds to the nearest whole number.
-const ROUNDING: f64 = 8_388_608.0;
+use crate::num::{INDEX_BIAS, Lane, Real, Rgb, TableBlock, TableEntry, each};
 
 /// Colours over the cosine alone (a film of fixed thickness, or none) or over cosine and thickness.
 ///
@@ -95,10 +92,11 @@ impl SplineTable {
     /// The colours at a [`SplineTable::position`].
     #[inline(always)]
     pub(in crate::film) fn around<L: Lane<Scalar = f32>>(&self, position: L::Rgb) -> L::Rgb {
-        let offset = L::Rgb::new(ROUNDING);
-        let nearest = (position + offset) - offset;
-        let weights = each!(weights(position - nearest), |weight| L::channels(weight));
-        let [column, row, _] = L::channels(nearest);
+        let bias = L::Rgb::new(INDEX_BIAS);
+        let biased = position + bias;
+        let distance = position - (biased - bias);
+        let weights = each!(weights(distance), |weight| L::channels(weight));
+        let [column, row, _] = L::channels(biased);
         let across = each!(weights, |[x, ..]| x);
         if self.is_over_cosine() {
             return L::weighted_row(&self.points, column, across);
