@@ -1,6 +1,6 @@
 //! Colours of a film, and the ranges of what goes in and what comes out.
 
-use crate::num::{Lane, Mask, Real, Rgb, each};
+use crate::num::{Mask, Real, Rgb};
 use crate::optics::Converged;
 
 /// Reflectance and transmittance of unpolarised light, linear RGB, as fractions of the power that
@@ -47,18 +47,8 @@ pub(super) fn clamp_inputs<L: Real>(
     ]
 }
 
-/// The colour clipped to a range (least, greatest) per channel, and 0 where `is_number` is false.
+/// Whether an input of any lane is NaN.
 #[inline(always)]
-pub(super) fn clip<L: Lane>(rgb: L::Rgb, [least, greatest]: [L; 2], is_number: L::Mask) -> L::Rgb {
-    let clipped = rgb.max(least.gray()).min(greatest.gray());
-    // Hardly ever, so that a branch costs less than a choice.
-    if (!is_number).any() {
-        let channels = L::channels(clipped);
-        return L::rgb(each!(channels, |channel| L::select(
-            is_number,
-            channel,
-            L::new(0.0)
-        )));
-    }
-    clipped
+pub(super) fn has_nan<L: Real>([cos_theta, thickness_nm]: [L; 2]) -> bool {
+    (!(cos_theta.equals(cos_theta) & thickness_nm.equals(thickness_nm))).any()
 }

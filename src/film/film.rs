@@ -1,11 +1,12 @@
 //! A film, compiled: what the users of this module hold.
 
-use super::colors::{Colors, clamp_inputs, clip};
+use super::colors::{Colors, clamp_inputs, has_nan};
 use super::description::FilmDescription;
 use super::evaluator::Evaluator;
 use super::plan::choose::{Plan, plan};
+use super::table::spline::SplineTable;
 use crate::error::Error;
-use crate::num::{Lane, Rgb, each};
+use crate::num::{Lane, Real, Rgb, each};
 use crate::optics::stack::Side;
 use crate::optics::{Medium, Reference};
 
@@ -22,8 +23,8 @@ pub struct Film {
     plan: Plan,
     /// The range that thicknesses are clamped to, nm.
     thickness_nm: [f32; 2],
-    /// The range that channels are clipped to.
-    channel: [f32; 2],
+    /// The range that colours are clipped to.
+    color: [<f32 as Lane>::Rgb; 2],
     reference: Reference,
 }
 
@@ -47,16 +48,17 @@ impl Film {
             description.color_space,
         )?;
         let (evaluator, plan) = plan(description, &reference)?;
+        let color = if description.unclipped {
+            [f32::NEG_INFINITY, f32::INFINITY]
+        } else {
+            [0.0, 1.0]
+        };
         Ok(Self {
             description: description.clone(),
             evaluator,
             plan,
             thickness_nm: description.varying_range().map(|x| x as f32),
-            channel: if description.unclipped {
-                [f32::NEG_INFINITY, f32::INFINITY]
-            } else {
-                [0.0, 1.0]
-            },
+            color: color.map(f32::gray),
             reference,
         })
     }
@@ -91,16 +93,22 @@ impl Film {
         thickness_nm: L,
     ) -> Rgb<L> {
         let inputs = [cos_theta, thickness_nm];
-        let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
-        let table = match &self.evaluator {
+        match self.table() {
+            Some(table) if !has_nan(inputs) => {
+                let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
+                L::channels(self.clip::<L>(table.at(cos_theta, thickness_nm)))
+            }
+            _ => self.reflectance_one_by_one(inputs),
+        }
+    }
+
+    /// The table of the reflectance from the ambient's side, if the film is one over the cosine there.
+    #[inline(always)]
+    pub(super) fn table(&self) -> Option<&SplineTable> {
+        match &self.evaluator {
             Evaluator::Tables(tables) => tables.over_ambient_cosine(),
             _ => None,
-        };
-        let rgb = match table {
-            Some(table) => table.at(cos_theta, thickness_nm),
-            None => self.one_by_one(cos_theta, thickness_nm),
-        };
-        L::channels(self.clip(rgb, inputs))
+        }
     }
 
     #[inline(always)]
@@ -113,18 +121,18 @@ impl Film {
         )
     }
 
-    /// The colour clipped; 0 where an input is NaN.
     #[inline(always)]
-    pub(super) fn clip<L: Lane<Scalar = f32>>(&self, rgb: L::Rgb, inputs: [L; 2]) -> L::Rgb {
-        let [cos_theta, thickness_nm] = inputs;
-        let is_number = cos_theta.equals(cos_theta) & thickness_nm.equals(thickness_nm);
-        let [least, greatest] = self.channel;
-        clip(rgb, [L::splat(least), L::splat(greatest)], is_number)
+    pub(super) fn clip<L: Lane<Scalar = f32>>(&self, rgb: L::Rgb) -> L::Rgb {
+        let [least, greatest] = self.color;
+        rgb.max(L::splat_rgb(least)).min(L::splat_rgb(greatest))
     }
 
-    /// The unclipped reflectance of each lane in turn.
+    /// [`Film::reflectance_with`] of each lane.
     #[inline(always)]
-    fn one_by_one<L: Lane<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> L::Rgb {
+    pub(super) fn reflectance_one_by_one<L: Lane<Scalar = f32>>(
+        &self,
+        [cos_theta, thickness_nm]: [L; 2],
+    ) -> Rgb<L> {
         const MOST: usize = 16;
         let mut inputs = [[0.0; MOST]; 2];
         cos_theta.store(&mut inputs[0][..L::COUNT]);
@@ -132,25 +140,31 @@ impl Film {
         let [cos_theta, thickness_nm] = inputs;
         let mut channels = [[0.0; MOST]; 3];
         for lane in 0..L::COUNT {
-            let color = self.unclipped(cos_theta[lane], thickness_nm[lane]);
+            let color = self.reflectance_with(cos_theta[lane], thickness_nm[lane]);
             for (channel, number) in channels.iter_mut().zip(color) {
                 channel[lane] = number;
             }
         }
-        L::rgb(each!(channels, |numbers| L::load(&numbers[..L::COUNT])))
+        each!(channels, |numbers| L::load(&numbers[..L::COUNT]))
     }
 
-    /// The unclipped reflectance for inputs in their ranges, by any evaluator.
+    /// [`Film::reflectance`] by any evaluator, and of inputs that may be NaN.
     #[inline(never)]
-    fn unclipped(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
-        match &self.evaluator {
+    fn reflectance_with(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        let inputs = [cos_theta, thickness_nm];
+        if has_nan(inputs) {
+            return [0.0; 3];
+        }
+        let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
+        let rgb = match &self.evaluator {
             Evaluator::Tables(tables) => tables.reflectance(cos_theta, thickness_nm),
             Evaluator::Method(method) => method.reflectance(cos_theta, thickness_nm),
-            _ => {
+            Evaluator::Series(_) | Evaluator::Reference => {
                 self.unclipped_colors(Side::Ambient, cos_theta, thickness_nm)
                     .reflectance
             }
-        }
+        };
+        f32::channels(self.clip::<f32>(f32::rgb(rgb)))
     }
 
     /// The unclipped colours for inputs in their ranges, by an evaluator that knows both sides.
@@ -181,9 +195,12 @@ impl Film {
             return Ok(Colors::default());
         }
         let inputs = [cos_theta, thickness_nm];
+        if has_nan(inputs) {
+            return Ok(Colors::default());
+        }
         let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
         let colors = self.unclipped_colors(side, cos_theta, thickness_nm);
-        let clipped = |rgb: Rgb<f32>| f32::channels(self.clip(f32::rgb(rgb), inputs));
+        let clipped = |rgb: Rgb<f32>| f32::channels(self.clip::<f32>(f32::rgb(rgb)));
         Ok(Colors {
             reflectance: clipped(colors.reflectance),
             transmittance: clipped(colors.transmittance),

@@ -1,6 +1,6 @@
 //! Reflectances of a film for arrays of arguments.
 
-use super::evaluator::Evaluator;
+use super::colors::has_nan;
 use super::film::Film;
 use super::table::spline::SplineTable;
 use crate::num::{Lane, Level, Work};
@@ -93,9 +93,14 @@ fn look_up<L: Lane<Scalar = f32>>(
         .zip(g.chunks_exact_mut(L::COUNT))
         .zip(b.chunks_exact_mut(L::COUNT));
     for (((cos_theta, thickness_nm), (x, y)), ((r, g), b)) in inputs.zip(positions).zip(results) {
-        let y = L::load(y);
-        let rgb = table.around::<L>(L::rgb([L::load(x), y, y]));
-        let rgb = L::channels(film.clip(rgb, [L::load(cos_theta), L::load(thickness_nm)]));
+        let inputs = [L::load(cos_theta), L::load(thickness_nm)];
+        let rgb = if has_nan(inputs) {
+            film.reflectance_one_by_one(inputs)
+        } else {
+            let y = L::load(y);
+            let rgb = table.around::<L>(L::rgb([L::load(x), y, y]));
+            L::channels(film.clip::<L>(rgb))
+        };
         rgb[0].store(r);
         rgb[1].store(g);
         rgb[2].store(b);
@@ -112,11 +117,7 @@ impl Film {
         thickness_nm: &[f32],
         reflectance: [&mut [f32]; 3],
     ) {
-        let table = match &self.evaluator {
-            Evaluator::Tables(tables) => tables.over_ambient_cosine(),
-            _ => None,
-        };
-        if let Some(table) = table.filter(|_| !level.is_scalar()) {
+        if let Some(table) = self.table().filter(|_| !level.is_scalar()) {
             level.run(TileLookUp {
                 film: self,
                 table,
@@ -137,6 +138,7 @@ impl Film {
 mod tests {
     use super::*;
     use crate::film::description::FilmDescription;
+    use crate::film::evaluator::Evaluator;
     use crate::optics::Medium;
 
     fn constant(eta: f64, k: f64) -> Medium {
