@@ -33,7 +33,7 @@ const NUMBER: isize = size_of::<f32>() as isize;
 impl ConstView {
     /// Refuses null, unless there are no elements, and offsets that overflow.
     #[inline]
-    pub(super) fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
+    pub(crate) fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
         if self.data.is_null() && count > 0 {
             return Err(Error::invalid(format!("{name}.data is NULL")));
         }
@@ -130,7 +130,7 @@ unsafe fn scatter<T: Copy>(data: *mut T, stride: isize, numbers: &[T]) {
 
 impl<T: Copy> View<T> {
     /// Refuses offsets that overflow.
-    pub(super) fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
+    pub(crate) fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
         check_reach(
             name,
             components,

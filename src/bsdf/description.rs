@@ -75,6 +75,11 @@ impl Description {
         self
     }
 
+    /// STAND-IN for `Bsdf::varying`: names and ranges of the parameters that vary.
+    pub(crate) fn ranges(&self) -> &[(String, f32, f32)] {
+        &self.varying
+    }
+
     /// The film, for models that take one; BSDFs share it.
     #[must_use]
     pub fn film(mut self, film: Arc<Film>) -> Self {
@@ -121,11 +126,13 @@ impl Description {
             &resolved.varying,
         )?;
         resolved.values.set_film(self.film.clone());
-        if let Some(thickness) = info.film_thickness.filter(|&param| !seen[param]) {
-            // Its default means nothing: where it only varies, the least of its range stands for it.
-            let mut ranges = resolved.varying.iter();
-            if let Some(range) = ranges.find(|range| range.param == thickness) {
-                resolved.values.set_numbers(thickness, [range.min; 3]);
+        for range in &resolved.varying {
+            // What varies without a value of its own has the model's default, held within its range.
+            if let ParamKind::Number { default, .. } = info.params[range.param].kind
+                && !seen[range.param]
+            {
+                let default = default.clamp(range.min, range.max);
+                resolved.values.set_numbers(range.param, [default; 3]);
             }
         }
         (entry.check)(&resolved.bounds(info))?;

@@ -2,7 +2,6 @@
 
 use super::super::Lane;
 use super::f32_lanes::{F32Lanes, Instructions};
-use std::sync::OnceLock;
 
 /// Work on numbers in single precision, as many at once as there may be.
 pub trait Work<T> {
@@ -17,22 +16,11 @@ pub trait Work<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct Level(fearless_simd::Level);
 
-/// Environment variable that may lower the level: for tests.
-const VARIABLE: &str = "PELLICLE_SIMD";
-
 impl Level {
-    /// The widest, or the one that the environment variable `PELLICLE_SIMD` names, if it is narrower:
-    /// looked up once per process, which allocates: by create(), not by what evaluates.
+    /// The widest that this processor has. It allocates: for create(), not for what evaluates.
     pub fn chosen() -> Self {
-        static CHOSEN: OnceLock<Level> = OnceLock::new();
-        *CHOSEN.get_or_init(|| {
-            let asked = std::env::var(VARIABLE).ok();
-            let all = Self::all();
-            let named = all
-                .iter()
-                .find(|level| Some(level.name()) == asked.as_deref());
-            *named.unwrap_or(&all[all.len() - 1])
-        })
+        let all = Self::all();
+        all[all.len() - 1]
     }
 
     /// All that this processor has, the narrowest first.
