@@ -64,11 +64,11 @@ public:
     Handle(Handle &&other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
 
     Handle &operator=(const Handle &other) noexcept {
-        Handle(other).swap(*this);
+        Handle(other).trade(*this);
         return *this;
     }
     Handle &operator=(Handle &&other) noexcept {
-        Handle(std::move(other)).swap(*this);
+        Handle(std::move(other)).trade(*this);
         return *this;
     }
 
@@ -77,7 +77,7 @@ public:
     Object *get() const noexcept { return object_; }
 
 private:
-    void swap(Handle &other) noexcept { std::swap(object_, other.object_); }
+    void trade(Handle &other) noexcept { object_ = std::exchange(other.object_, object_); }
 
     Object *object_ = nullptr;
 };

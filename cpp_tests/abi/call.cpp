@@ -180,51 +180,6 @@ TEST_CASE("call: a lobe is chosen as often as its samples say") {
     }
 }
 
-TEST_CASE("call: batches give the reverse densities and lobe probabilities of single calls") {
-    for (const support::Model &model : support::models_with_and_without_film()) {
-        CAPTURE(std::string(model.info.name));
-        const support::Varying subject(model);
-        constexpr std::size_t count = 67;
-        std::mt19937 random(11);
-        std::vector<Vec3> from(count), to(count), uniforms(count);
-        std::vector<float> values;
-        for (std::size_t i = 0; i < count; ++i) {
-            from[i] = support::random_direction(random);
-            to[i] = support::random_direction(random);
-            uniforms[i] = support::random_uniforms(random);
-            const std::vector<float> own = subject.random_values(random);
-            values.insert(values.end(), own.begin(), own.end());
-        }
-        std::vector<PellicleConstView> varying;
-        for (std::size_t i = 0, offset = 0; i < subject.components().size(); offset += subject.components()[i++])
-            varying.push_back({values.data() + offset, std::ptrdiff_t(4 * subject.floats()), 4});
-        std::vector<float> reverse(count), probability(count);
-        PellicleEvalBatchArgs eval{};
-        eval.count = count;
-        eval.wo = {from[0].data(), 12, 4};
-        eval.wi = {to[0].data(), 12, 4};
-        eval.varying = varying.data();
-        eval.varying_count = varying.size();
-        eval.pdf_reverse = {reverse.data(), 4, 4};
-        subject.bsdf().eval_batch(eval);
-        PellicleSampleBatchArgs sample{};
-        sample.count = count;
-        sample.wo = eval.wo;
-        sample.u = {uniforms[0].data(), 12, 4};
-        sample.varying = eval.varying;
-        sample.varying_count = eval.varying_count;
-        sample.lobe_probability = {probability.data(), 4, 4};
-        subject.bsdf().sample_batch(sample);
-        for (std::size_t i = 0; i < count; ++i) {
-            const float *own = values.data() + i * subject.floats();
-            const float expected = subject.bsdf().eval_both_ways(from[i], to[i], own).pdf_reverse;
-            CHECK(support::same_bits(&reverse[i], &expected, 1));
-            const PellicleSample single = subject.bsdf().sample(from[i], uniforms[i], own);
-            CHECK(support::same_bits(&probability[i], &single.lobe_probability, 1));
-        }
-    }
-}
-
 // STAND-IN: the core does not know masks yet. should_fail() turns these red as soon as it does; then remove it.
 TEST_CASE("call: the lobes of two masks add up to all of them" * doctest::should_fail()) {
     const auto bsdf = pellicle::BsdfBuilder("phong").create();

@@ -53,10 +53,10 @@ static int use(const char *path) {
 int main(int argc, char **argv) {
     if (argc != 2) return 2;
     /* The first rounds fill the caches of the allocator and of the dynamic linker. */
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 200; ++i)
         if (use(argv[1]) != 0) return 1;
     const size_t before = mallinfo2().uordblks;
-    const int rounds = 50;
+    const int rounds = 100;
     for (int i = 0; i < rounds; ++i)
         if (use(argv[1]) != 0) return 1;
     const size_t after = mallinfo2().uordblks;

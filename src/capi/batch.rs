@@ -68,6 +68,9 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
             )?;
             core.wo.check("wo", 3, args.count)?;
             core.wi.check("wi", 3, args.count)?;
+            core.value.check("value", 3, args.count)?;
+            core.pdf.check("pdf", 1, args.count)?;
+            stand_in::check_varying(&handle.bsdf, core.varying, args.count)?;
             let inputs = [&core.wo, &core.wi];
             let found = stand_in::for_each(
                 &handle.bsdf,
@@ -122,6 +125,15 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
             lobe_probability.check("lobe_probability", 1, args.count)?;
             core.wo.check("wo", 3, args.count)?;
             core.u.check("u", 3, args.count)?;
+            core.wi.check("wi", 3, args.count)?;
+            core.weight.check("weight", 3, args.count)?;
+            for (view, name) in [(core.pdf, "pdf"), (core.eta, "eta")] {
+                view.check(name, 1, args.count)?;
+            }
+            for (view, name) in [(core.flags, "flags"), (core.lobe, "lobe")] {
+                view.check(name, 1, args.count)?;
+            }
+            stand_in::check_varying(&handle.bsdf, core.varying, args.count)?;
             let outputs = [core.wi, core.pdf, core.weight, core.eta];
             let is_alone = outputs.iter().all(|view| view.data.is_null())
                 && core.flags.data.is_null()

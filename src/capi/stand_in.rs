@@ -120,6 +120,19 @@ pub(super) unsafe fn for_each(
     (0..count).map(one).collect()
 }
 
+/// STAND-IN, see [`for_each`]: refuses views of varying parameters that leave the address space.
+pub(super) fn check_varying(bsdf: &Bsdf, varying: &[ConstView], count: usize) -> Result<(), Error> {
+    for (view, components) in varying.iter().zip(bsdf.varying_components()) {
+        let view = View {
+            data: view.data.cast_mut(),
+            element_stride: view.element_stride,
+            component_stride: view.component_stride,
+        };
+        view.check("varying", components, count)?;
+    }
+    Ok(())
+}
+
 /// STAND-IN, see [`for_each`].
 ///
 /// # Safety
