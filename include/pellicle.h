@@ -720,8 +720,7 @@ const char *pellicle_name(uint32_t list,
 //
 // Fails with UNKNOWN_NAME (medium, white, color_space, method, level), OUT_OF_RANGE (numbers, the number of
 // layers), INVALID_ARGUMENT (NULL, a wrong size, a medium missing or given in two ways, two layers that
-// vary), UNSUPPORTED (a method that does not take such a film, a level that this processor lacks, fields of
-// a later version) or OUT_OF_MEMORY; `*film` is then untouched.
+// vary), UNSUPPORTED (a method that does not take such a film, fields of a later version) or OUT_OF_MEMORY; `*film` is then untouched.
 //
 // Preconditions:
 // `desc` must be good for `desc_size` bytes, its pointers for their counts and sizes, `film` for one pointer.
@@ -821,8 +820,7 @@ PellicleStatus pellicle_film_spectrum(const PellicleFilm *film,
 //
 // Fails with UNKNOWN_NAME (model, parameter, choice, level), OUT_OF_RANGE (numbers, ranges, sums),
 // INVALID_ARGUMENT (NULL, a wrong count or size, something given twice, a film that is missing or not used)
-// or UNSUPPORTED (a parameter that cannot vary, a level that this processor lacks, fields of a later
-// version); `*bsdf` is then untouched.
+// or UNSUPPORTED (a parameter that cannot vary, fields of a later version); `*bsdf` is then untouched.
 //
 // Preconditions:
 // `desc` must be good for `desc_size` bytes, its pointers for their counts, its film NULL or a live

@@ -1,7 +1,9 @@
 //! The rules about the film that a model takes, and about the thickness of its varying layer.
 
-use super::varying::Range;
-use crate::bsdf::{ParamKind, RegisteredModel, Values};
+use super::info::ParamKind;
+use super::registry::RegisteredModel;
+use super::values::Values;
+use super::varying::VaryingRange;
 use crate::error::Error;
 use crate::film::Film;
 
@@ -12,7 +14,7 @@ pub(super) fn check_film(
     film: Option<&Film>,
     values: &Values<f32>,
     given: &[bool],
-    varying: &[Range],
+    varying: &[VaryingRange],
 ) -> Result<(), Error> {
     let model = entry.name();
     let film = match ((entry.needs_film)(values), film) {

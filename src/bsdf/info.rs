@@ -18,6 +18,9 @@ impl Flags {
     /// A perfectly specular lobe.
     pub const DELTA: Self = Self(16);
 
+    /// Every flag.
+    pub const ALL: Self = Self(31);
+
     /// Both sets together.
     pub const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)

@@ -7,7 +7,7 @@ use super::film_types::PellicleFilmBatchArgs;
 use super::types::{
     PellicleBsdf, PellicleConstView, PellicleFilm, PellicleStatus, PellicleUintView, PellicleView,
 };
-use super::{bsdf, film, stand_in};
+use super::{bsdf, film};
 use crate::batch::{self, ConstView, EvalArgs, FilmArgs, SampleArgs, View};
 use crate::bsdf::MAX_VARYING;
 use crate::error::Error;
@@ -31,57 +31,20 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
     guard(|| {
         // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
         unsafe {
-            let handle = bsdf::handle(bsdf)?;
+            let bsdf = &bsdf::handle(bsdf)?.bsdf;
             let args = read_growing(args, args_size, "args")?;
-            call_options(args.call)?;
             let mut room = [NO_VIEW; MAX_VARYING];
-            let core = EvalArgs {
+            let args = EvalArgs {
                 count: args.count,
+                call: call_options(args.call)?,
                 wo: args.wo.into(),
                 wi: args.wi.into(),
                 varying: varying_views(args.varying, args.varying_count, &mut room)?,
                 value: args.value.into(),
                 pdf: args.pdf.into(),
+                pdf_reverse: args.pdf_reverse.into(),
             };
-            // STAND-IN for `EvalArgs::pdf_reverse`.
-            let pdf_reverse = View::from(args.pdf_reverse);
-            if pdf_reverse.data.is_null() {
-                return batch::eval(&handle.bsdf, &core, handle.level);
-            }
-            pdf_reverse.check("pdf_reverse", 1, args.count)?;
-            let mut none = [0.0_f32; 3];
-            let mut with_output = core;
-            if core.value.data.is_null() && core.pdf.data.is_null() {
-                with_output.value.data = none.as_mut_ptr();
-                (
-                    with_output.value.element_stride,
-                    with_output.value.component_stride,
-                ) = (0, 4);
-            }
-            batch::eval(
-                &handle.bsdf,
-                &EvalArgs {
-                    count: 0,
-                    ..with_output
-                },
-                handle.level,
-            )?;
-            core.wo.check("wo", 3, args.count)?;
-            core.wi.check("wi", 3, args.count)?;
-            core.value.check("value", 3, args.count)?;
-            core.pdf.check("pdf", 1, args.count)?;
-            stand_in::check_varying(&handle.bsdf, core.varying, args.count)?;
-            let inputs = [&core.wo, &core.wi];
-            let found = stand_in::for_each(
-                &handle.bsdf,
-                args.count,
-                inputs,
-                core.varying,
-                |wo, wi, varying| stand_in::pdf_reverse(&handle.bsdf, wo, wi, varying),
-            );
-            batch::eval(&handle.bsdf, &with_output, handle.level)?;
-            stand_in::store(&pdf_reverse, &found);
-            Ok(())
+            batch::eval(bsdf, &args, bsdf.level())
         }
     })
 }
@@ -101,12 +64,12 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
     guard(|| {
         // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
         unsafe {
-            let handle = bsdf::handle(bsdf)?;
+            let bsdf = &bsdf::handle(bsdf)?.bsdf;
             let args = read_growing(args, args_size, "args")?;
-            call_options(args.call)?;
             let mut room = [NO_VIEW; MAX_VARYING];
-            let core = SampleArgs {
+            let args = SampleArgs {
                 count: args.count,
+                call: call_options(args.call)?,
                 wo: args.wo.into(),
                 u: args.u.into(),
                 varying: varying_views(args.varying, args.varying_count, &mut room)?,
@@ -116,46 +79,9 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
                 eta: args.eta.into(),
                 flags: args.flags.into(),
                 lobe: args.lobe.into(),
+                lobe_probability: args.lobe_probability.into(),
             };
-            // STAND-IN for `SampleArgs::lobe_probability`.
-            let lobe_probability = View::from(args.lobe_probability);
-            if lobe_probability.data.is_null() {
-                return batch::sample(&handle.bsdf, &core, handle.level);
-            }
-            lobe_probability.check("lobe_probability", 1, args.count)?;
-            core.wo.check("wo", 3, args.count)?;
-            core.u.check("u", 3, args.count)?;
-            core.wi.check("wi", 3, args.count)?;
-            core.weight.check("weight", 3, args.count)?;
-            for (view, name) in [(core.pdf, "pdf"), (core.eta, "eta")] {
-                view.check(name, 1, args.count)?;
-            }
-            for (view, name) in [(core.flags, "flags"), (core.lobe, "lobe")] {
-                view.check(name, 1, args.count)?;
-            }
-            stand_in::check_varying(&handle.bsdf, core.varying, args.count)?;
-            let outputs = [core.wi, core.pdf, core.weight, core.eta];
-            let is_alone = outputs.iter().all(|view| view.data.is_null())
-                && core.flags.data.is_null()
-                && core.lobe.data.is_null();
-            if !is_alone {
-                batch::sample(&handle.bsdf, &SampleArgs { count: 0, ..core }, handle.level)?;
-            }
-            let found = stand_in::for_each(
-                &handle.bsdf,
-                args.count,
-                [&core.wo, &core.u],
-                core.varying,
-                |wo, u, varying| {
-                    let sample = handle.bsdf.sample(wo, u, varying);
-                    stand_in::lobe_probability(&handle.bsdf, wo, &sample, varying)
-                },
-            );
-            if !is_alone {
-                batch::sample(&handle.bsdf, &core, handle.level)?;
-            }
-            stand_in::store(&lobe_probability, &found);
-            Ok(())
+            batch::sample(bsdf, &args, bsdf.level())
         }
     })
 }

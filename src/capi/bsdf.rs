@@ -8,47 +8,26 @@ use super::bsdf_types::{
     PellicleBsdfDesc, PellicleBsdfInfo, PellicleLobeInfo, PellicleParam, PellicleVaryingInfo,
 };
 use super::film;
-use super::stand_in::{level, plan};
 use super::text::text;
 use super::types::{PELLICLE_KIND_DIRECTION, PELLICLE_KIND_NUMBER, PellicleBsdf, PellicleStatus};
-use crate::bsdf::{Bsdf, Description, ParamInfo, ParamKind};
+use crate::bsdf::{Bsdf, Description, ParamKind};
 use crate::error::Error;
-use crate::num::Level;
 use libc::size_t;
 use std::ffi::CString;
 use std::sync::Arc;
 
-/// What a handle points to: the BSDF, and what C callers are told of it.
+/// What a handle points to: the BSDF, and its text for C callers.
 pub(super) struct BsdfHandle {
     pub bsdf: Bsdf,
-    pub level: Level,
     plan: CString,
-    varying: Box<[PellicleVaryingInfo]>,
 }
 
-// SAFETY: the pointers in `varying` are those of texts of the library, which never change.
-unsafe impl Send for BsdfHandle {}
-// SAFETY: as above.
-unsafe impl Sync for BsdfHandle {}
-
-/// A handle with one reference. Hidden: for tests that describe a BSDF in Rust and call it as C does.
-///
-/// # Errors
-/// As [`Bsdf::new`]; `UnknownName` or `Unsupported` for a `simd_level` that no processor or not this one has.
+/// A handle with one reference. Hidden: for tests that make a BSDF in Rust and call it as C does.
 #[doc(hidden)]
-pub fn bsdf_handle(
-    description: &Description,
-    simd_level: Option<&str>,
-) -> Result<*mut PellicleBsdf, Error> {
-    let level = level(simd_level)?;
-    let bsdf = Bsdf::<f32>::new(description)?;
-    let handle = Arc::new(BsdfHandle {
-        plan: CString::new(plan(&bsdf, level)).unwrap_or_default(),
-        varying: varying_infos(&bsdf, description),
-        level,
-        bsdf,
-    });
-    Ok(Arc::into_raw(handle).cast_mut().cast())
+pub fn bsdf_handle(bsdf: Bsdf) -> *mut PellicleBsdf {
+    let plan = CString::new(bsdf.plan()).unwrap_or_default();
+    let handle = Arc::new(BsdfHandle { bsdf, plan });
+    Arc::into_raw(handle).cast_mut().cast()
 }
 
 /// Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
@@ -56,8 +35,7 @@ pub fn bsdf_handle(
 ///
 /// Fails with UNKNOWN_NAME (model, parameter, choice, level), OUT_OF_RANGE (numbers, ranges, sums),
 /// INVALID_ARGUMENT (NULL, a wrong count or size, something given twice, a film that is missing or not used)
-/// or UNSUPPORTED (a parameter that cannot vary, a level that this processor lacks, fields of a later
-/// version); `*bsdf` is then untouched.
+/// or UNSUPPORTED (a parameter that cannot vary, fields of a later version); `*bsdf` is then untouched.
 ///
 /// # Safety
 /// `desc` must be good for `desc_size` bytes, its pointers for their counts, its film NULL or a live
@@ -74,9 +52,8 @@ pub unsafe extern "C" fn pellicle_bsdf_create(
         // PellicleBsdfDesc.
         unsafe {
             let desc = read_growing(desc, desc_size, "desc")?;
-            let description = description(&desc)?;
-            let level = optional_string(desc.simd_level, "desc->simd_level")?;
-            bsdf.write_unaligned(bsdf_handle(&description, level.as_deref())?);
+            let handle = bsdf_handle(Bsdf::new(&description(&desc)?)?);
+            bsdf.write_unaligned(handle);
         }
         Ok(())
     })
@@ -158,14 +135,14 @@ pub unsafe extern "C" fn pellicle_bsdf_varying(
         check_output(info, info_size, "info")?;
         // SAFETY: the caller vouches for the handle and for `info_size` bytes.
         unsafe {
-            let all = &handle(bsdf)?.varying;
-            let filled = all.get(varying).ok_or_else(|| {
-                Error::out_of_range(format!(
+            let bsdf = &handle(bsdf)?.bsdf;
+            if varying >= bsdf.varying_count() {
+                return Err(Error::out_of_range(format!(
                     "varying = {varying}, but the BSDF has {} varying parameters, counted from 0",
-                    all.len()
-                ))
-            })?;
-            write_growing(info, info_size, filled);
+                    bsdf.varying_count()
+                )));
+            }
+            write_growing(info, info_size, &varying_info(bsdf, varying));
         }
         Ok(())
     })
@@ -210,32 +187,28 @@ pub(super) unsafe fn handle<'a>(bsdf: *const PellicleBsdf) -> Result<&'a BsdfHan
     unsafe { reference(bsdf.cast::<BsdfHandle>(), "bsdf") }
 }
 
-/// STAND-IN for `Bsdf::varying`: what varies, from the ranges that were declared.
-fn varying_infos(bsdf: &Bsdf, description: &Description) -> Box<[PellicleVaryingInfo]> {
+/// What varies at that place, which must exist.
+fn varying_info(bsdf: &Bsdf, place: usize) -> PellicleVaryingInfo {
     let mut offset = 0;
-    let info = |(name, min, max): &(String, f32, f32)| {
-        let param: &'static ParamInfo = &bsdf.info().params[bsdf.info().param(name)?];
-        let components = param.components();
-        let mut default_value = [0.0; 3];
-        default_value[..components]
-            .copy_from_slice(&bsdf.varying_defaults()[offset..offset + components]);
-        let filled = PellicleVaryingInfo {
-            name: text(param.name),
-            unit: text(param.unit),
-            kind: match param.kind {
-                ParamKind::Direction { .. } => PELLICLE_KIND_DIRECTION,
-                _ => PELLICLE_KIND_NUMBER,
-            },
-            components: components as u32,
-            offset: offset as u32,
-            min: *min,
-            max: *max,
-            default_value,
-        };
-        offset += components;
-        Some(filled)
-    };
-    description.ranges().iter().filter_map(info).collect()
+    for before in bsdf.varying().take(place) {
+        offset += before.param.components();
+    }
+    let varying = bsdf.varying().nth(place).expect("the place was checked");
+    let mut default_value = [0.0; 3];
+    default_value[..varying.defaults.len()].copy_from_slice(varying.defaults);
+    PellicleVaryingInfo {
+        name: text(varying.param.name),
+        unit: text(varying.param.unit),
+        kind: match varying.param.kind {
+            ParamKind::Direction { .. } => PELLICLE_KIND_DIRECTION,
+            _ => PELLICLE_KIND_NUMBER,
+        },
+        components: varying.param.components() as u32,
+        offset: offset as u32,
+        min: varying.min,
+        max: varying.max,
+        default_value,
+    }
 }
 
 /// Copies a description out of the caller's memory.
@@ -252,6 +225,9 @@ unsafe fn description(desc: &PellicleBsdfDesc) -> Result<Description, Error> {
         }
         if let Some(film) = film::share(desc.film) {
             description = description.film(film);
+        }
+        if let Some(level) = optional_string(desc.simd_level, "desc->simd_level")? {
+            description = description.simd_level(&level);
         }
         Ok(description)
     }

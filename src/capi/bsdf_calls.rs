@@ -4,9 +4,8 @@ use super::boundary::{check_output, guard, numbers, require, write_growing};
 use super::bsdf::handle;
 use super::bsdf_types::PellicleSample;
 use super::call::call_options;
-use super::stand_in;
 use super::types::{PellicleBsdf, PellicleCall, PellicleStatus};
-use crate::bsdf::{Bsdf, MAX_VARYING};
+use crate::bsdf::{Bsdf, Evaluation, MAX_VARYING};
 use libc::size_t;
 use std::mem::MaybeUninit;
 
@@ -43,23 +42,30 @@ pub unsafe extern "C" fn pellicle_bsdf_eval(
             let wi = numbers::<3>(wi, "wi")?.into();
             let mut room = MaybeUninit::uninit();
             let varying = varying_numbers(bsdf, varying, &mut room);
-            call_options(call)?;
-            if pdf.is_null() && pdf_reverse.is_null() {
+            let call = call_options(call)?;
+            if pdf_reverse.is_null() && pdf.is_null() {
                 require(value, "value (and pdf and pdf_reverse)")?;
-                value
-                    .cast::<[f32; 3]>()
-                    .write_unaligned(bsdf.eval(wo, wi, varying));
+                write_rgb(value, bsdf.eval(wo, wi, varying, &call));
                 return Ok(());
             }
-            let (rgb, density) = bsdf.eval_pdf(wo, wi, varying);
-            if !pdf_reverse.is_null() {
-                pdf_reverse.write_unaligned(stand_in::pdf_reverse(bsdf, wo, wi, varying));
-            }
+            let found = if pdf_reverse.is_null() {
+                let (value, pdf) = bsdf.eval_pdf(wo, wi, varying, &call);
+                Evaluation {
+                    value,
+                    pdf,
+                    pdf_reverse: 0.0,
+                }
+            } else {
+                bsdf.evaluate(wo, wi, varying, &call)
+            };
             if !value.is_null() {
-                value.cast::<[f32; 3]>().write_unaligned(rgb);
+                write_rgb(value, found.value);
             }
             if !pdf.is_null() {
-                pdf.write_unaligned(density);
+                pdf.write_unaligned(found.pdf);
+            }
+            if !pdf_reverse.is_null() {
+                pdf_reverse.write_unaligned(found.pdf_reverse);
             }
         }
         Ok(())
@@ -91,8 +97,8 @@ pub unsafe extern "C" fn pellicle_bsdf_sample(
             let u = numbers::<3>(u, "u")?.into();
             let mut room = MaybeUninit::uninit();
             let varying = varying_numbers(bsdf, varying, &mut room);
-            call_options(call)?;
-            let sampled = bsdf.sample(wo, u, varying);
+            let call = call_options(call)?;
+            let sampled = bsdf.sample(wo, u, varying, &call);
             let filled = PellicleSample {
                 wi: sampled.wi.to_array(),
                 pdf: sampled.pdf,
@@ -100,7 +106,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample(
                 eta: sampled.eta,
                 flags: sampled.flags.0,
                 lobe: sampled.lobe as u32,
-                lobe_probability: stand_in::lobe_probability(bsdf, wo, &sampled, varying),
+                lobe_probability: sampled.lobe_probability,
             };
             write_growing(sample, sample_size, &filled);
         }
@@ -131,12 +137,17 @@ pub unsafe extern "C" fn pellicle_bsdf_albedo(
             let wo = numbers::<3>(wo, "wo")?.into();
             let mut room = MaybeUninit::uninit();
             let varying = varying_numbers(bsdf, varying, &mut room);
-            call_options(call)?;
-            let rgb = bsdf.albedo(wo, varying);
-            albedo.cast::<[f32; 3]>().write_unaligned(rgb);
+            let call = call_options(call)?;
+            write_rgb(albedo, bsdf.albedo(wo, varying, &call));
         }
         Ok(())
     })
+}
+
+#[inline(always)]
+unsafe fn write_rgb(target: *mut f32, rgb: [f32; 3]) {
+    // SAFETY: the caller vouches for 3 numbers.
+    unsafe { target.cast::<[f32; 3]>().write_unaligned(rgb) }
 }
 
 /// The caller's varying values where they lie, or a copy in `room` if they are not aligned.

@@ -1,20 +1,9 @@
 //! From a call's options in the caller's memory to our own.
 
 use super::boundary::read_growing;
-use super::stand_in::{Call, Transport};
-use super::types::{
-    PELLICLE_DELTA, PELLICLE_DIFFUSE, PELLICLE_GLOSSY, PELLICLE_REFLECTION, PELLICLE_TRANSMISSION,
-    PELLICLE_TRANSPORT_IMPORTANCE, PELLICLE_TRANSPORT_RADIANCE, PellicleCall,
-};
-use crate::bsdf::Flags;
+use super::types::{PELLICLE_TRANSPORT_IMPORTANCE, PELLICLE_TRANSPORT_RADIANCE, PellicleCall};
+use crate::bsdf::{Call, Flags, Transport};
 use crate::error::Error;
-
-/// Every flag that a lobe can have.
-const ALL_FLAGS: u32 = PELLICLE_REFLECTION
-    | PELLICLE_TRANSMISSION
-    | PELLICLE_DIFFUSE
-    | PELLICLE_GLOSSY
-    | PELLICLE_DELTA;
 
 /// The options behind a pointer that may be NULL.
 ///
@@ -46,18 +35,16 @@ unsafe fn given_options(call: *const PellicleCall) -> Result<Call, Error> {
             )));
         }
     };
-    if given.lobes & !ALL_FLAGS != 0 {
-        return Err(Error::out_of_range(format!(
-            "call->lobes = {:#x} has flags outside {ALL_FLAGS:#x}, which are those of a lobe",
-            given.lobes
-        )));
-    }
-    let lobes = match given.lobes {
-        0 => ALL_FLAGS,
+    let lobes = match Flags(given.lobes) {
+        Flags(0) => Flags::ALL,
         some => some,
     };
-    Ok(Call {
-        transport,
-        lobes: Flags(lobes),
-    })
+    if !Flags::ALL.contains(lobes) {
+        return Err(Error::out_of_range(format!(
+            "call->lobes = {:#x} has flags outside {:#x}, which are all flags of lobes",
+            lobes.0,
+            Flags::ALL.0
+        )));
+    }
+    Ok(Call { transport, lobes })
 }

@@ -179,13 +179,21 @@ pub extern "C" fn pellicle_name(list: u32, index: size_t) -> *const c_char {
             PELLICLE_NAMES_METHOD => METHODS.get(index).copied(),
             PELLICLE_NAMES_COLOR_SPACE => ColorSpace::NAMES.get(index).map(|(name, _)| *name),
             PELLICLE_NAMES_WHITE => White::NAMES.get(index).map(|(name, _)| *name),
-            PELLICLE_NAMES_SIMD_LEVEL => Level::all().get(index).map(|level| level.name()),
+            PELLICLE_NAMES_SIMD_LEVEL => level_names().get(index).copied(),
             _ => None,
         };
         found = name.map_or(null(), text);
         Ok(())
     });
     found
+}
+
+/// The levels of this processor, the narrowest first.
+fn level_names() -> Vec<&'static str> {
+    let all = std::iter::once(Level::SCALAR).chain(Level::all());
+    let mut names: Vec<_> = all.map(Level::name).collect();
+    names.dedup();
+    names
 }
 
 /// The entry with that number, or a message with the numbers that exist.

@@ -4,7 +4,7 @@
 //! The injection is compiled for unit tests alone, so that no library that is shipped holds it.
 
 use super::*;
-use crate::bsdf::Description;
+use crate::bsdf::{Bsdf, Description};
 use crate::film::{Film, FilmDescription};
 use crate::optics::Medium;
 use std::cell::Cell;
@@ -63,7 +63,7 @@ impl Handles {
         let film = Arc::new(Film::new(&description).unwrap());
         let varying = Description::new("lambert").vary("reflectance", 0.0, 1.0);
         Self {
-            bsdf: bsdf_handle(&varying, None).unwrap(),
+            bsdf: bsdf_handle(Bsdf::new(&varying).unwrap()),
             film: film_handle(film, None).unwrap(),
         }
     }

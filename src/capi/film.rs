@@ -5,7 +5,6 @@ use super::boundary::{
 };
 use super::film_description::film_description;
 use super::film_types::{PellicleFilmDesc, PellicleFilmInfo, PellicleFilmPlan};
-use super::stand_in::level;
 use super::text::text;
 use super::types::{PellicleFilm, PellicleStatus};
 use crate::error::Error;
@@ -25,11 +24,11 @@ pub(super) struct FilmHandle {
 /// A handle with one reference. Hidden: for tests that make a film in Rust and call it as C does.
 ///
 /// # Errors
-/// `UnknownName` or `Unsupported` for a `simd_level` that no processor or not this one has.
+/// `UnknownName` for a `simd_level` that this processor does not have.
 #[doc(hidden)]
 pub fn film_handle(film: Arc<Film>, simd_level: Option<&str>) -> Result<*mut PellicleFilm, Error> {
     let handle = Arc::new(FilmHandle {
-        level: level(simd_level)?,
+        level: simd_level.map_or_else(|| Ok(Level::widest()), Level::named)?,
         reason: CString::new(film.plan().reason.as_str()).unwrap_or_default(),
         film,
     });
@@ -41,8 +40,7 @@ pub fn film_handle(film: Arc<Film>, simd_level: Option<&str>) -> Result<*mut Pel
 ///
 /// Fails with UNKNOWN_NAME (medium, white, color_space, method, level), OUT_OF_RANGE (numbers, the number of
 /// layers), INVALID_ARGUMENT (NULL, a wrong size, a medium missing or given in two ways, two layers that
-/// vary), UNSUPPORTED (a method that does not take such a film, a level that this processor lacks, fields of
-/// a later version) or OUT_OF_MEMORY; `*film` is then untouched.
+/// vary), UNSUPPORTED (a method that does not take such a film, fields of a later version) or OUT_OF_MEMORY; `*film` is then untouched.
 ///
 /// # Safety
 /// `desc` must be good for `desc_size` bytes, its pointers for their counts and sizes, `film` for one pointer.
@@ -60,7 +58,8 @@ pub unsafe extern "C" fn pellicle_film_create(
             let desc = read_growing(desc, desc_size, "desc")?;
             let description = film_description(&desc)?;
             let simd_level = optional_string(desc.simd_level, "simd_level")?;
-            level(simd_level.as_deref())?; // before the film is compiled, which takes time
+            // Before the film is compiled, which takes time.
+            simd_level.as_deref().map(Level::named).transpose()?;
             let compiled = Arc::new(Film::new(&description)?);
             film.write_unaligned(film_handle(compiled, simd_level.as_deref())?);
         }

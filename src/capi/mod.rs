@@ -20,7 +20,6 @@ mod film_description;
 mod film_types;
 mod last_error;
 mod medium;
-mod stand_in;
 mod text;
 mod types;
 mod version;

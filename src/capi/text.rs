@@ -4,13 +4,15 @@
 //! the library, without an allocation that would outlive dlclose(): so every text is copied into one array
 //! at compile time, and [`text`] and [`list`] find it there.
 
-use super::stand_in::LEVELS;
 use crate::bsdf::{Exception, ModelInfo, ParamInfo, ParamKind, models};
 use crate::film::METHODS;
 use crate::optics::{ColorSpace, Named, White};
 use libc::c_char;
 use std::ffi::CStr;
 use std::ptr::null;
+
+/// Every name of a level, on any processor.
+const LEVELS: [&str; 5] = ["scalar", "sse2", "avx2", "avx512", "neon"];
 
 /// The copy of a text of the library.
 ///

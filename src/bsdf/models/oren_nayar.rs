@@ -34,11 +34,11 @@
 //! below 0.33; with a reflectance of 0.95 neither does. From sigma = 0.67 the full form falls below
 //! 0 where light and viewer graze the surface from opposite sides; it is held at 0 there.
 
-use super::cosine_lobe::{CosineLobe, Diffuse};
+use crate::bsdf::compiled::{Compiled, kernel};
 use crate::bsdf::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::{Mixture, Surfaces};
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
+use crate::bsdf::surface::Surface;
 use crate::bsdf::values::Values;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, angle_turns, each};
 
@@ -84,26 +84,26 @@ impl Model for OrenNayar {
         ..ModelInfo::PLAIN
     };
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(OrenNayarSurface {
             reflectance: values.rgb(REFLECTANCE),
-            facets: Facets::new(values.number(SIGMA)),
+            grooves: Grooves::new(values.number(SIGMA)),
             is_qualitative: values.choice(FORM) == QUALITATIVE,
-        })))
+        }))
     }
 }
 
-/// The compiled model.
+/// The parameters, for one surface or one in each lane.
 #[derive(Clone, Copy)]
-pub struct Prepared<T> {
+pub struct OrenNayarSurface<T> {
     reflectance: Rgb<T>,
-    facets: Facets<T>,
+    grooves: Grooves<T>,
     is_qualitative: bool,
 }
 
 /// What depends on sigma alone.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Facets<T> {
+pub(super) struct Grooves<T> {
     /// C1
     constant: T,
     /// s / (s + 0.09)
@@ -126,11 +126,11 @@ fn sine<T: Real>(w: Vec3<T>) -> T {
     (w.x.squared() + w.y.squared()).sqrt()
 }
 
-impl<T: Lane<Scalar = T>> Facets<T> {
+impl<T: Lane<Scalar = T>> Grooves<T> {
     /// The same everywhere.
     #[inline(always)]
-    pub(super) fn splat<L: Lane<Scalar = T>>(&self) -> Facets<L> {
-        Facets {
+    pub(super) fn splat<L: Lane<Scalar = T>>(&self) -> Grooves<L> {
+        Grooves {
             constant: L::splat(self.constant),
             directional: L::splat(self.directional),
             mutual: L::splat(self.mutual),
@@ -138,7 +138,7 @@ impl<T: Lane<Scalar = T>> Facets<T> {
     }
 }
 
-impl<T: Lane> Facets<T> {
+impl<T: Lane> Grooves<T> {
     #[inline(always)]
     pub(super) fn new(sigma: T) -> Self {
         let s = sigma.squared();
@@ -196,34 +196,34 @@ impl<T: Lane> Facets<T> {
     }
 }
 
-impl<T: Precision> Surfaces<T> for Prepared<T> {
-    type Surface<'a, L: Lane<Scalar = T>> = CosineLobe<Prepared<L>>;
+impl<T: Precision> Compiled<T> for OrenNayarSurface<T> {
+    type Surface<'a, L: Lane<Scalar = T>> = OrenNayarSurface<L>;
 
     #[inline(always)]
-    fn surface<L: Lane<Scalar = T>>(&self) -> CosineLobe<Prepared<L>> {
-        CosineLobe(Prepared {
+    fn surface<L: Lane<Scalar = T>>(&self) -> OrenNayarSurface<L> {
+        OrenNayarSurface {
             reflectance: each!(self.reflectance, |channel| L::splat(channel)),
-            facets: self.facets.splat(),
+            grooves: self.grooves.splat(),
             is_qualitative: self.is_qualitative,
-        })
+        }
     }
 }
 
-impl<T: Lane> Diffuse<T> for Prepared<T> {
+impl<L: Lane> Surface<L> for OrenNayarSurface<L> {
     #[inline(always)]
-    fn vary(&mut self, param: usize, value: [T; 3]) {
+    fn vary(&mut self, param: usize, value: [L; 3]) {
         match param {
             REFLECTANCE => self.reflectance = value,
-            _ => self.facets = Facets::new(value[0]),
+            _ => self.grooves = Grooves::new(value[0]),
         }
     }
 
     #[inline(always)]
-    fn value(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+    fn eval(&self, wo: Vec3<L>, wi: Vec3<L>) -> Rgb<L> {
         if self.is_qualitative {
-            self.facets.qualitative(self.reflectance, wo, wi)
+            self.grooves.qualitative(self.reflectance, wo, wi)
         } else {
-            T::channels(self.facets.full(T::rgb(self.reflectance), wo, wi))
+            L::channels(self.grooves.full(L::rgb(self.reflectance), wo, wi))
         }
     }
 }

@@ -40,18 +40,18 @@
 //!     wavelength; the colours here come from stopping after one traversal. The model convinces, it
 //!     does not predict.
 
-mod prepared;
+mod formulas;
 mod sampling;
 #[cfg(test)]
 mod tests;
 
+use crate::bsdf::compiled::kernel;
 use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::Mixture;
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::{Bounds, Values};
 use crate::error::Error;
-use prepared::Prepared;
+use formulas::LayeredSurface;
 
 /// The model; see the module's documentation.
 pub struct Layered;
@@ -192,7 +192,7 @@ impl Model for Layered {
         Ok(())
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared::new(values))))
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(LayeredSurface::new(values)))
     }
 }

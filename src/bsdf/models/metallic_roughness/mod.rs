@@ -33,12 +33,12 @@
 
 mod surface;
 
+use crate::bsdf::compiled::kernel;
 use crate::bsdf::info::{LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::Mixture;
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
-use surface::Prepared;
+use surface::CompiledMaterial;
 
 /// The model; see the module's documentation.
 pub struct MetallicRoughness;
@@ -114,7 +114,7 @@ impl Model for MetallicRoughness {
         ..ModelInfo::PLAIN
     };
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared::new(values))))
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(CompiledMaterial::new(values)))
     }
 }

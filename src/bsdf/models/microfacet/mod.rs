@@ -58,35 +58,38 @@ pub(crate) mod beckmann;
 pub(crate) mod blinn_phong;
 mod compensation;
 mod cubics;
-pub(crate) mod distribution;
+mod distribution;
 pub(crate) mod energy;
 mod fresnel;
 pub(crate) mod ggx;
+pub(crate) mod half_vector;
 pub(crate) mod masking;
-mod prepared;
+mod mirror;
+pub(crate) mod ndf;
 mod projected;
 mod quantile;
+mod rough;
 mod roughness;
 pub(crate) mod sgd;
 mod slopes;
 mod tabulated;
 
-use self::abc::Abc;
-use self::blinn_phong::BlinnPhong;
 use self::compensation::{Average, Compensation};
-use self::fresnel::Facets;
+use self::distribution::Distribution;
+use self::fresnel::CompiledFresnel;
 use self::masking::Masking;
-use self::roughness::{Normalized, Shape};
-use self::sgd::Sgd;
+use self::mirror::Mirror;
+use self::rough::Rough;
+use self::roughness::Roughness;
+use self::tabulated::Tabulated;
+use crate::bsdf::compiled::kernel;
 use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
-use crate::bsdf::mixture::Mixture;
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::{Bounds, Values};
 use crate::error::Error;
 use crate::film::MAX_THICKNESS_NM;
 use crate::optics::ConductorPolynomial;
-use prepared::{Mirror, Rough};
 use std::sync::Arc;
 
 /// The model; see the module's documentation.
@@ -156,7 +159,7 @@ const LOBES: &[LobeInfo] = &[
 
 /// Numbers of a rough surface's lobes in a sample.
 const REFLECTION_LOBE: usize = 0;
-const RETURNED_LOBE: usize = 1;
+const MULTIPLE_LOBE: usize = 1;
 
 impl Model for Microfacet {
     const INFO: ModelInfo = ModelInfo {
@@ -240,33 +243,33 @@ impl Model for Microfacet {
         check(bounds)
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        let facets = facets(values)?;
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        let fresnel = fresnel(values)?;
         let masking = Masking::ALL[values.choice(MASKING)];
         if is_mirror(values) {
-            return Ok(Box::new(Mirror { facets, masking }));
+            return Ok(Box::new(Mirror { fresnel, masking }));
         }
-        let shape = Shape::new(
+        let roughness = Roughness::new(
             values.number(ALPHA),
             values.number(ANISOTROPY),
             values.number(ROTATION),
             values.number(ANISOTROPY) == T::new(0.0) && !values.varies(ANISOTROPY),
         );
-        let normals = normals(values);
+        let distribution = distribution(values);
         let compensation = if values.choice(ENERGY_COMPENSATION) == OFF {
             None
         } else {
-            let average = Average::new(&facets, values.varies(THICKNESS_NM))?;
-            let energy = normals.energy(&shape, masking, values.varies(ALPHA));
+            let average = Average::new(&fresnel, values.varies(THICKNESS_NM))?;
+            let energy = distribution.energy(&roughness, masking, values.varies(ALPHA));
             Some(Compensation { energy, average })
         };
-        Ok(Box::new(Mixture(Rough {
-            normals,
-            shape,
-            facets,
+        Ok(kernel(Rough {
+            distribution,
+            roughness,
+            fresnel,
             masking,
             compensation,
-        })))
+        }))
     }
 }
 
@@ -274,27 +277,27 @@ fn is_mirror<T: Precision>(values: &Values<T>) -> bool {
     values.number(ALPHA) == T::new(0.0)
 }
 
-fn normals<T: Precision>(values: &Values<T>) -> Normalized<T> {
+fn distribution<T: Precision>(values: &Values<T>) -> Distribution<T> {
     let of = |param| f64::from(values.number(param).to_f32());
     match values.choice(DISTRIBUTION) {
-        GGX => Normalized::Ggx,
-        BECKMANN => Normalized::Beckmann,
-        BLINN_PHONG => Normalized::BlinnPhong(Box::new(BlinnPhong::new(of(ALPHA)))),
-        ABC => Normalized::Abc(Box::new(Abc::of(of(ALPHA), of(ABC_EXPONENT)))),
-        _ => Normalized::Sgd(Box::new(Sgd::of(of(ALPHA), of(SGD_P)))),
+        GGX => Distribution::Ggx,
+        BECKMANN => Distribution::Beckmann,
+        BLINN_PHONG => Distribution::Tabulated(Box::new(Tabulated::blinn_phong(of(ALPHA)))),
+        ABC => Distribution::Tabulated(Box::new(Tabulated::abc(of(ALPHA), of(ABC_EXPONENT)))),
+        _ => Distribution::Tabulated(Box::new(Tabulated::shifted_gamma(of(ALPHA), of(SGD_P)))),
     }
 }
 
-fn facets<T: Precision>(values: &Values<T>) -> Result<Facets<T>, Error> {
+fn fresnel<T: Precision>(values: &Values<T>) -> Result<CompiledFresnel<T>, Error> {
     let rgb = |param| T::rgb(values.rgb(param));
     Ok(match values.choice(FRESNEL) {
-        SCHLICK => Facets::Schlick {
+        SCHLICK => CompiledFresnel::Schlick {
             f0: rgb(F0),
             f90: rgb(F90),
         },
         DIELECTRIC => {
             let [r, g, b] = values.rgb(ETA);
-            Facets::Dielectric {
+            CompiledFresnel::Dielectric {
                 eta: rgb(ETA),
                 is_gray: r == g && r == b,
             }
@@ -302,8 +305,8 @@ fn facets<T: Precision>(values: &Values<T>) -> Result<Facets<T>, Error> {
         CONDUCTOR if values.choice(METAL) == CUSTOM => {
             let (eta, k) = (values.rgb(ETA), values.rgb(K));
             match ConductorPolynomial::new(eta, k) {
-                Some(polynomial) => Facets::Polynomial(polynomial),
-                None => Facets::Conductor {
+                Some(polynomial) => CompiledFresnel::Polynomial(polynomial),
+                None => CompiledFresnel::Conductor {
                     eta: T::rgb(eta),
                     k: T::rgb(k),
                 },
@@ -311,9 +314,9 @@ fn facets<T: Precision>(values: &Values<T>) -> Result<Facets<T>, Error> {
         }
         CONDUCTOR => {
             let name = METALS[values.choice(METAL)];
-            Facets::of_metal(name)?
+            CompiledFresnel::of_metal(name)?
         }
-        _ => Facets::Film {
+        _ => CompiledFresnel::Film {
             film: Arc::clone(values.film().expect("validation refuses a lack of it")),
             thickness_nm: values.number(THICKNESS_NM),
         },
