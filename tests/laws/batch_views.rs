@@ -1,0 +1,153 @@
+//! Batches through views of every kind: any stride, any alignment, every count about the sizes that batches are
+//! cut into. Results are those of single calls, bit for bit, and nothing else is written.
+
+#![allow(unsafe_code)] // batches go by addresses
+
+use super::batch_inputs::*;
+use crate::common::films::{bare, constant};
+use crate::common::rng;
+use crate::strided::{Array, BROADCAST, LAYOUTS, Layout};
+use pellicle::batch::{EvalArgs, FilmArgs, SampleArgs, eval, film_reflectance, sample};
+use pellicle::film::{Film, FilmDescription};
+use pellicle::num::Level;
+use rand::RngExt;
+
+/// Calls `check` with every subject, count, and pair of layouts of inputs and outputs; inputs may be one
+/// element for all.
+fn for_every_view(check: impl Fn(&Subject, usize, Layout, Layout)) {
+    for subject in subjects() {
+        for count in COUNTS {
+            for input in LAYOUTS.into_iter().chain([BROADCAST]) {
+                for output in LAYOUTS {
+                    // All of one kind, or one of them far apart: every kind is met on both sides.
+                    if input.0 == output.0 || input.0 == "elements" || output.0 == "planes" {
+                        check(&subject, count, input, output);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn values_go_through_every_view() {
+    for_every_view(|subject, count, input, output| {
+        let inputs = Inputs::new(subject, count, input);
+        let expected = inputs.evaluated(&subject.bsdf, count);
+        for level in Level::all() {
+            let mut value = Array::new(output, count, 3);
+            let mut pdf = Array::new(output, count, 1);
+            let args = EvalArgs {
+                count,
+                wo: inputs.wo.const_view(),
+                wi: inputs.wi.const_view(),
+                varying: &inputs.views(),
+                value: value.view(),
+                pdf: pdf.view(),
+            };
+            // SAFETY: all views are of arrays of `count` elements.
+            unsafe { eval(&subject.bsdf, &args, level) }.unwrap();
+            let what = format!("{}: {count} {} -> {}", level.name(), input.0, output.0);
+            for (i, expected) in expected.iter().enumerate() {
+                assert_eq!(bits(value.get(i)), bits(expected.0), "{what}, {i}");
+                assert_eq!(bits(pdf.get(i)), bits([expected.1]), "{what}, {i}");
+            }
+            assert!(
+                value.rest_is_untouched() && pdf.rest_is_untouched(),
+                "{what}"
+            );
+        }
+    });
+}
+
+#[test]
+fn samples_go_through_every_view() {
+    for_every_view(|subject, count, input, output| {
+        let inputs = Inputs::new(subject, count, input);
+        let expected = inputs.sampled(&subject.bsdf, count);
+        for level in Level::all() {
+            let [mut wi, mut weight] = [(); 2].map(|()| Array::new(output, count, 3));
+            let mut numbers = [(); 4].map(|()| Array::new(output, count, 1));
+            let [pdf, eta, flags, lobe] = &mut numbers;
+            let args = SampleArgs {
+                count,
+                wo: inputs.wo.const_view(),
+                u: inputs.u.const_view(),
+                varying: &inputs.views(),
+                wi: wi.view(),
+                pdf: pdf.view(),
+                weight: weight.view(),
+                eta: eta.view(),
+                flags: flags.view(),
+                lobe: lobe.view(),
+            };
+            // SAFETY: all views are of arrays of `count` elements.
+            unsafe { sample(&subject.bsdf, &args, level) }.unwrap();
+            let what = format!("{}: {count} {} -> {}", level.name(), input.0, output.0);
+            for (i, expected) in expected.iter().enumerate() {
+                assert_eq!(bits(wi.get(i)), bits(expected.wi.to_array()), "{what}, {i}");
+                assert_eq!(bits(weight.get(i)), bits(expected.weight), "{what}, {i}");
+                let found = [&numbers[0], &numbers[1], &numbers[2], &numbers[3]];
+                let [pdf, eta] = bits([expected.pdf, expected.eta]);
+                let expected = [pdf, eta, expected.flags.0, expected.lobe as u32];
+                assert_eq!(found.map(|array| array.bits(i, 0)), expected, "{what}, {i}");
+            }
+            let mut outputs = [&wi, &weight].into_iter().chain(&numbers);
+            assert!(outputs.all(Array::rest_is_untouched), "{what}");
+        }
+    });
+}
+
+/// A film that is a table, one that is a curve, and one that is neither.
+fn films() -> Vec<Film> {
+    let lens = |range| bare(constant(1.5, 0.0)).layer(constant(1.38, 0.0), range);
+    let bands = FilmDescription {
+        method: Some("bands".into()),
+        tolerance: 2e-2,
+        ..lens([0.0, 600.0])
+    };
+    let descriptions = [lens([0.0, 600.0]), lens([300.0; 2]), bands];
+    descriptions
+        .iter()
+        .map(|description| Film::new(description).unwrap())
+        .collect()
+}
+
+#[test]
+fn reflectances_go_through_every_view() {
+    for film in films() {
+        for count in COUNTS {
+            for input in LAYOUTS.into_iter().chain([BROADCAST]) {
+                for output in LAYOUTS {
+                    check_film(&film, count, input, output);
+                }
+            }
+        }
+    }
+}
+
+fn check_film(film: &Film, count: usize, input: Layout, output: Layout) {
+    let rng = &mut rng(count as u64);
+    let [mut cos_theta, mut thickness_nm] = [(); 2].map(|()| Array::new(input, count, 1));
+    for i in 0..count {
+        cos_theta.set(i, &[rng.random()]);
+        thickness_nm.set(i, &[600.0 * rng.random::<f32>()]);
+    }
+    for level in Level::all() {
+        let mut reflectance = Array::new(output, count, 3);
+        let args = FilmArgs {
+            count,
+            cos_theta: cos_theta.const_view(),
+            thickness_nm: thickness_nm.const_view(),
+            reflectance: reflectance.view(),
+        };
+        // SAFETY: all views are of arrays of `count` elements.
+        unsafe { film_reflectance(film, &args, level) }.unwrap();
+        let what = format!("{}: {count} {} -> {}", level.name(), input.0, output.0);
+        for i in 0..count {
+            let single = film.reflectance(cos_theta.get::<1>(i)[0], thickness_nm.get::<1>(i)[0]);
+            assert_eq!(bits(reflectance.get(i)), bits(single), "{what}, {i}");
+        }
+        assert!(reflectance.rest_is_untouched(), "{what}");
+    }
+}
