@@ -92,9 +92,9 @@ impl Patch {
         points.iter().copied().filter(is_inside).collect()
     }
 
-    /// As [`Self::integrate`], after the patch is quartered wherever many of the `points` in (z, phi) lie: a
-    /// lobe that samples show cannot fall between the nodes of a rule, however narrow it is. The points
-    /// only choose where to look closely; any choice gives the same integral.
+    /// As [`Self::integrate`], after the patch is quartered until the `points` in (z, phi) fill what they
+    /// lie in: a lobe that samples show cannot fall between the nodes of a rule, however narrow it is. The
+    /// points only choose where to look closely; any choice gives the same integral.
     pub fn integrate_about<const N: usize>(
         self,
         f: &impl Fn(DVec3) -> [f64; N],
@@ -102,22 +102,37 @@ impl Patch {
         depth: u32,
         points: &[[f64; 2]],
     ) -> [f64; N] {
-        /// A patch with more points is quartered.
-        const MOST_POINTS: usize = 1000;
-        /// Nor is it worth while below the rounding of directions in single precision.
+        /// Below the rounding of directions in single precision nothing narrower is to be found.
         const LEAST_WIDTH: f64 = 1e-7;
-        if points.len() <= MOST_POINTS || self.z[1] - self.z[0] < LEAST_WIDTH {
+        /// Of the tolerance, for a quarter that has few points: little is left to integrate there.
+        const LEAST_SHARE: f64 = 0.1;
+        if self.is_filled(points) || self.z[1] - self.z[0] < LEAST_WIDTH {
             return self.integrate(f, tolerance, depth);
         }
         let mut sum = [0.0; N];
         for quarter in self.quarters() {
             let inside = quarter.inside(points);
-            let part = quarter.integrate_about(f, tolerance / 4.0, depth, &inside);
+            let share = (inside.len() as f64 / points.len() as f64).max(LEAST_SHARE);
+            let part = quarter.integrate_about(f, tolerance * share, depth, &inside);
             for c in 0..N {
                 sum[c] += part[c];
             }
         }
         sum
+    }
+
+    /// Whether the points are few, or spread over both halves of the patch in either coordinate.
+    fn is_filled(self, points: &[[f64; 2]]) -> bool {
+        const FEW: usize = 20;
+        /// A peak of which a half of the patch holds less of the points is resolved by the rules.
+        const MOST_IN_A_HALF: f64 = 0.9;
+        let middle = [self.z, self.phi].map(|[from, to]| (from + to) / 2.0);
+        points.len() < FEW
+            || [0, 1].into_iter().all(|axis| {
+                let upper = points.iter().filter(|point| point[axis] > middle[axis]);
+                let share = upper.count() as f64 / points.len() as f64;
+                (1.0 - MOST_IN_A_HALF..=MOST_IN_A_HALF).contains(&share)
+            })
     }
 
     /// The integral per solid angle, to about the absolute `tolerance`. `depth` bounds how often

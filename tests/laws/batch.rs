@@ -48,11 +48,26 @@ impl Planes {
     }
 
     fn const_view(&self) -> ConstView {
+        self.view_from(0)
+    }
+
+    /// The planes from one of them on.
+    fn view_from(&self, plane: usize) -> ConstView {
         ConstView {
-            data: self.numbers.as_ptr(),
+            data: self.numbers.as_ptr().wrapping_add(plane * COUNT),
             element_stride: 4,
             component_stride: 4 * COUNT as isize,
         }
+    }
+
+    /// A view for each parameter, whose planes follow one another.
+    fn views(&self, ranges: &[Vec<[f32; 2]>]) -> Vec<ConstView> {
+        let mut plane = 0;
+        let next = |components: &Vec<[f32; 2]>| {
+            plane += components.len();
+            self.view_from(plane - components.len())
+        };
+        ranges.iter().map(next).collect()
     }
 }
 
@@ -100,8 +115,8 @@ fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
     }
 }
 
-/// The range of each number that varies; a direction's numbers are any, some of them no direction.
-fn ranges(drawn: &Drawn, variations: &[Variation]) -> Vec<[f32; 2]> {
+/// The range of each number of each parameter that varies; a direction's numbers are any, some of them no direction.
+fn ranges(drawn: &Drawn, variations: &[Variation]) -> Vec<Vec<[f32; 2]>> {
     let of = |variation: &Variation| {
         let param = &drawn.entry.info.params[variation.param];
         let range = match param.kind {
@@ -110,7 +125,7 @@ fn ranges(drawn: &Drawn, variations: &[Variation]) -> Vec<[f32; 2]> {
         };
         vec![range; param.components()]
     };
-    variations.iter().flat_map(of).collect()
+    variations.iter().map(of).collect()
 }
 
 struct Batch {
@@ -120,12 +135,13 @@ struct Batch {
 }
 
 impl Batch {
-    fn drawn(ranges: &[[f32; 2]], is_sampled: bool, rng: &mut impl Rng) -> Self {
+    fn drawn(ranges: &[Vec<[f32; 2]>], is_sampled: bool, rng: &mut impl Rng) -> Self {
         let mut varying = Vec::new();
         for _ in 0..COUNT {
             varying.push(
                 ranges
                     .iter()
+                    .flatten()
                     .map(|[min, max]| number(rng, *min, *max))
                     .collect(),
             );
@@ -160,7 +176,7 @@ fn bits<const N: usize>(numbers: [f32; N]) -> [u32; N] {
     numbers.map(f32::to_bits)
 }
 
-pub fn check_eval(description: &Description, ranges: &[[f32; 2]], seed: u64) {
+pub fn check_eval(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u64) {
     let bsdf = Bsdf::<f32>::new(description).unwrap();
     let batch = Batch::drawn(ranges, false, &mut rng(seed));
     let (wo, wi, varying) = (
@@ -168,7 +184,7 @@ pub fn check_eval(description: &Description, ranges: &[[f32; 2]], seed: u64) {
         Planes::of(&batch.other),
         batch.planes(),
     );
-    let views = [varying.const_view()];
+    let views = varying.views(ranges);
     for level in Level::all() {
         for with_pdf in [false, true] {
             let mut value = Planes::new(3, |_, _| f32::NAN);
@@ -181,7 +197,7 @@ pub fn check_eval(description: &Description, ranges: &[[f32; 2]], seed: u64) {
                 count: COUNT,
                 wo: wo.const_view(),
                 wi: wi.const_view(),
-                varying: if ranges.is_empty() { &[] } else { &views },
+                varying: &views,
                 value: value.view(),
                 pdf: pdf_view,
             };
@@ -205,7 +221,7 @@ pub fn check_eval(description: &Description, ranges: &[[f32; 2]], seed: u64) {
     }
 }
 
-pub fn check_sample(description: &Description, ranges: &[[f32; 2]], seed: u64) {
+pub fn check_sample(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u64) {
     let bsdf = Bsdf::<f32>::new(description).unwrap();
     let batch = Batch::drawn(ranges, true, &mut rng(seed));
     let (wo, u, varying) = (
@@ -213,7 +229,7 @@ pub fn check_sample(description: &Description, ranges: &[[f32; 2]], seed: u64) {
         Planes::of(&batch.other),
         batch.planes(),
     );
-    let views = [varying.const_view()];
+    let views = varying.views(ranges);
     for level in Level::all() {
         let [mut wi, mut weight] = [(); 2].map(|()| Planes::new(3, |_, _| f32::NAN));
         let [mut pdf, mut eta] = [(); 2].map(|()| Planes::new(1, |_, _| f32::NAN));
@@ -222,7 +238,7 @@ pub fn check_sample(description: &Description, ranges: &[[f32; 2]], seed: u64) {
             count: COUNT,
             wo: wo.const_view(),
             u: u.const_view(),
-            varying: if ranges.is_empty() { &[] } else { &views },
+            varying: &views,
             wi: wi.view(),
             pdf: pdf.view(),
             weight: weight.view(),
@@ -252,7 +268,7 @@ const LEAST_VARIED: usize = 10;
 
 /// Calls `check` with draws of every model: with nothing that varies, with all that can, and with one parameter
 /// varying, in turns. Fails if a parameter that can vary hardly ever did.
-fn for_every_model(check: impl Fn(&Description, &[[f32; 2]], u64)) {
+fn for_every_model(check: impl Fn(&Description, &[Vec<[f32; 2]>], u64)) {
     let mut missing = Vec::new();
     for entry in models() {
         let params = entry.info.params;

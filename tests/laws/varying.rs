@@ -21,9 +21,24 @@ const CALLS: usize = 12;
 /// In double precision both ways use the same formulas; what is left are roundings of powers with exponents
 /// up to 1e5 and of phases of films.
 const TOLERANCE: f64 = 1e-8;
+/// Where light that masking takes away is given back, a roughness that varies is looked up in a table: the
+/// error that both models state.
+const TABLE_TOLERANCE: f64 = 1e-3;
 /// In single precision a fixed value may have formulas of its own: the error that
 /// `registry::single_precision_follows_double` allows, on either side.
 const SINGLE_TOLERANCE: f64 = 1e-2;
+
+fn tolerance(drawn: &Drawn) -> f64 {
+    let gives_back = match drawn.entry.name() {
+        "microfacet" => drawn.choice("energy_compensation") == c"on",
+        name => name == "metallic_roughness",
+    };
+    if gives_back {
+        TABLE_TOLERANCE
+    } else {
+        TOLERANCE
+    }
+}
 
 /// What was compared of one parameter.
 #[derive(Clone, Copy, Default)]
@@ -160,7 +175,7 @@ fn compare(drawn: &Drawn, rng: &mut Pcg64Mcg, may: impl Fn(usize) -> bool, tally
         };
         let difference = expected.difference(&found);
         assert!(
-            difference <= TOLERANCE,
+            difference <= tolerance(drawn),
             "{difference:e} in double precision: {}",
             what()
         );
@@ -171,7 +186,7 @@ fn compare(drawn: &Drawn, rng: &mut Pcg64Mcg, may: impl Fn(usize) -> bool, tally
             "{difference:e} in single precision: {}",
             what()
         );
-        has_effect |= call(&double, &given, None).difference(&found) > 1e3 * TOLERANCE;
+        has_effect |= call(&double, &given, None).difference(&found) > 10.0 * tolerance(drawn);
     }
     for variation in &variations {
         let tally = &mut tally[variation.param];
