@@ -14,7 +14,7 @@ const GENERATOR: u32 = 2584;
 /// value / pdf over the lattice in the lobe's two uniform numbers: the balance heuristic with fixed
 /// instead of random numbers, so every integrand is bounded.
 ///
-/// `tests/albedo.rs` measures the error against adaptive integration: below 2e-3 of the albedo's
+/// `tests/laws/albedo.rs` measures the error against adaptive integration: below 2e-3 of the albedo's
 /// greatest channel for all models, for layers to 3 um and microfacets to 80 degrees; at 89 degrees up
 /// to 1.5e-2 for microfacets whose samples are not those of visible normals.
 pub fn albedo<T: Lane, S: Scattering<T>>(scattering: &S, wo: Vec3<T>) -> Rgb<T> {

@@ -3,7 +3,7 @@
 //! The C library's `powf` and `cosf` cost 10 to 20 ns and cannot be vectorised; these cost a few
 //! and are written over [`Single`], so that lanes of f32 get them too. The polynomials are our own
 //! minimax fits (Lawson's algorithm, weighted for relative error); the error of each fit is beside
-//! it, and `tests/elementary.rs` measures the error of the whole function over its range:
+//! it, and `tests/optics/elementary.rs` measures the error of the whole function over its range:
 //!
 //! | function | range | greatest error |
 //! |---|---|---|

@@ -49,8 +49,8 @@ pub fn bsdf(kind: Kind, seed: u64) -> Bsdf {
     Bsdf::new(&drawn(kind, &mut rng(seed)).0).unwrap()
 }
 
-/// Each lobe that may be chosen: its probability and what it gives. A share too small for a number
-/// to lie in it is left out.
+/// The probability and a sample of each lobe that can be chosen. A lobe is left out whose probability is so
+/// small that no number lies in its share of [0, 1).
 pub fn lobes<T: Scalar>(bsdf: &Bsdf<T>, wo: T::Vector) -> Vec<(T, Sample<T>)> {
     let probabilities = bsdf.lobe_densities(wo, wo, None).0;
     let [zero, half, one] = [0.0, 0.5, 1.0].map(T::new);

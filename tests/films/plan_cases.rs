@@ -19,7 +19,7 @@ pub const METHODS: [&str; 10] = [
     "series",
     "reference",
 ];
-/// Those that take one layer.
+/// The methods that take one layer.
 pub const ONE_LAYER: [&str; 5] = ["two_beam", "airy_rgb", "quadrature", "harmonics", "bands"];
 
 /// Index of film, index and k of base: the stacks that other renderers were measured on.
@@ -71,8 +71,8 @@ pub fn difference(a: Rgb<f64>, b: Rgb<f64>) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// So many cosines and thicknesses, a third of them towards grazing angles and thin films, with the
-/// corners of both ranges first; but not the one where both are 0, which has a test of its own.
+/// `count` pairs of cosine and thickness, the corners of both ranges first, and a third of the others towards
+/// grazing angles and thin films. The corner where both are 0 is left out; it has a test of its own.
 pub fn points(film: &Film, count: usize) -> Vec<(f32, f32)> {
     let [least, greatest] = film.varying_thickness_nm().unwrap_or([0.0; 2]);
     let corners = [0.0f32, 1e-3, 1.0].map(|c| [(c.max(1e-6), 0.0), (c, 1e-3), (c, 1.0)]);

@@ -8,7 +8,7 @@ use pellicle::capi::*;
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
-/// Whole lanes of every width, and a rest.
+/// Whole lanes of every width and a rest.
 const COUNT: usize = 21;
 
 /// Numbers of [0, 1) that look random.
@@ -27,8 +27,8 @@ fn uniforms(seed: usize) -> [f32; 3] {
     [number(seed), number(seed + 1), number(seed + 2)]
 }
 
-/// Where component c of element i lies: offset, element and component stride, in bytes, and how many
-/// bytes there are.
+/// Where component c of element i lies, all in bytes: offset, strides of elements and components, and the size
+/// of the array.
 #[derive(Clone, Copy)]
 struct Layout {
     begin: usize,
@@ -37,7 +37,7 @@ struct Layout {
     bytes: usize,
 }
 
-/// Of so many components: packed, planes, backwards, unaligned.
+/// Layouts of elements of `components` numbers: packed, planes, backwards, unaligned.
 fn layouts(components: usize) -> [Layout; 4] {
     let packed = 4 * components;
     let layout = |begin, element: usize, component: usize, bytes| Layout {

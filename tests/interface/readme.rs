@@ -1,6 +1,6 @@
 //! The README's table of models and parameters is what the registry says.
 //!
-//! `PELLICLE_RENEW=1 cargo test --test readme` rewrites it.
+//! `PELLICLE_RENEW=1 cargo test --release --test interface readme` rewrites it.
 
 use pellicle::bsdf::{Exception, ParamInfo, ParamKind, RegisteredModel, models};
 use std::fmt::Write;
@@ -81,6 +81,6 @@ fn the_table_of_models_is_current() {
     }
     assert!(
         table == current,
-        "README.md's models are out of date; PELLICLE_RENEW=1 cargo test --test readme rewrites them"
+        "README.md's models are out of date; PELLICLE_RENEW=1 cargo test --release --test interface readme rewrites them"
     );
 }

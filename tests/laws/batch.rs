@@ -1,5 +1,5 @@
-//! Batches at every level of instructions that this processor has: equal to the single calls bit for
-//! bit, over the whole registry, whatever the numbers.
+//! Batches return exactly the bits of single calls, at every level of instructions that this processor has,
+//! over the whole registry, for any numbers.
 
 #![allow(unsafe_code)] // batches go by addresses
 
@@ -12,10 +12,10 @@ use pellicle::num::Level;
 use pellicle::{Bsdf, Description};
 use rand::{Rng, RngExt};
 
-/// More than two chunks, and a rest that no lanes divide.
+/// Two chunks and a rest that is no multiple of any number of lanes.
 const COUNT: usize = 2 * 256 + 16 + 5;
 
-/// Components side by side, one after another: what batches read and write where it lies.
+/// One plane for each component, one after another: batches use such arrays without a copy.
 struct Planes<T = f32> {
     numbers: Vec<T>,
 }
@@ -71,7 +71,7 @@ impl Planes {
     }
 }
 
-/// A direction; now and then one that is none, or hard.
+/// A direction, sometimes an invalid one or one that is hard to handle.
 fn direction(rng: &mut impl Rng) -> Vec3 {
     let w = hemisphere(rng).as_vec3();
     match rng.random_range(0..40) {
@@ -90,7 +90,7 @@ fn direction(rng: &mut impl Rng) -> Vec3 {
     }
 }
 
-/// Three uniform numbers; now and then some that are not.
+/// Three uniform numbers, sometimes invalid ones.
 fn uniform(rng: &mut impl Rng) -> Vec3 {
     let u = Vec3::from(uniforms(rng));
     match rng.random_range(0..20) {
@@ -102,7 +102,7 @@ fn uniform(rng: &mut impl Rng) -> Vec3 {
     }
 }
 
-/// A number of a varying parameter; now and then outside of its range, or none.
+/// A number of a varying parameter, sometimes outside of its range or not finite.
 fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
     match rng.random_range(0..40) {
         0 => f32::NAN,
@@ -115,7 +115,7 @@ fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
     }
 }
 
-/// The range of each number of each parameter that varies; a direction's numbers are any, some of them no direction.
+/// The range of each number of each parameter that varies; a direction's numbers also give invalid ones.
 fn ranges(drawn: &Drawn, variations: &[Variation]) -> Vec<Vec<[f32; 2]>> {
     let of = |variation: &Variation| {
         let param = &drawn.entry.info.params[variation.param];
@@ -161,7 +161,7 @@ impl Batch {
         }
     }
 
-    /// Their numbers, each component in a plane.
+    /// The varying numbers, one plane for each component.
     fn planes(&self) -> Planes {
         let components = self.varying[0].len();
         Planes::new(components, |i, c| self.varying[i][c])

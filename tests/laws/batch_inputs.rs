@@ -11,7 +11,7 @@ use pellicle::batch::{ConstView, View};
 use pellicle::{Bsdf, Description, Sample};
 use rand::RngExt;
 
-/// None, one by one, less than a tile, about 16 lanes, and more than a chunk of 256.
+/// No element, too few for lanes, about multiples of 16 lanes, a chunk of 256, and more than a chunk.
 pub const COUNTS: [usize; 9] = [0, 1, 4, 7, 63, 64, 65, 256, 277];
 
 pub fn bits<const N: usize>(numbers: [f32; N]) -> [u32; N] {
@@ -24,13 +24,13 @@ pub const NOT_WANTED: View = View {
     component_stride: 0,
 };
 
-/// A BSDF, and the ranges of the numbers that vary; of a direction none.
+/// A BSDF, and the range of each parameter that varies; a direction has none.
 pub struct Subject {
     pub bsdf: Bsdf,
     pub ranges: Vec<Option<[f32; 2]>>,
 }
 
-/// With nothing that varies, with a colour, with all that can, and one that batches call one by one.
+/// BSDFs in which nothing varies, a colour, several parameters; and one that batches call element by element.
 pub fn subjects() -> Vec<Subject> {
     let lambert = Description::new("lambert").vary("reflectance", 0.0, 1.0);
     let microfacet = Description::new("microfacet").choose("distribution", "ggx");
@@ -54,7 +54,7 @@ pub fn subjects() -> Vec<Subject> {
     ]
 }
 
-/// What is given, in memory.
+/// The arrays that a batch reads.
 pub struct Inputs {
     pub wo: Array,
     pub wi: Array,

@@ -10,7 +10,7 @@ use pellicle::batch::{
 };
 use pellicle::num::Level;
 
-/// What an output may take the place of.
+/// The input whose memory an output uses.
 #[derive(Clone, Copy, Debug)]
 enum Over {
     Wo,
@@ -30,7 +30,7 @@ impl Over {
     }
 }
 
-/// Outputs of three numbers, and of one, and what they take the place of.
+/// Inputs whose memory is used by an output of three numbers, and by one of one number.
 const IN_PLACE: [[Over; 2]; 4] = [
     [Over::Wo, Over::Varying(0)],
     [Over::Other, Over::Varying(0)],
@@ -40,7 +40,7 @@ const IN_PLACE: [[Over; 2]; 4] = [
 
 #[test]
 fn outputs_may_take_the_place_of_inputs() {
-    // The one with a scalar, a direction and a colour that vary.
+    // The subject in which a scalar, a direction and a colour vary.
     let subject = &subjects()[2];
     for layout in LAYOUTS {
         for count in COUNTS {
@@ -125,8 +125,8 @@ fn check_sample_in_place(
     }
 }
 
-/// An overlap that is not allowed: what comes of it is anybody's guess, but nothing outside the views is
-/// written, and elements before the overlap are right.
+/// After an overlap that is not allowed, results are unspecified, but nothing outside the views is written, and
+/// elements before the overlap are right.
 #[test]
 fn other_overlaps_are_safe() {
     const COUNT: usize = 600;

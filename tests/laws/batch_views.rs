@@ -1,5 +1,5 @@
-//! Batches through views of every kind: any stride, any alignment, every count about the sizes that batches are
-//! cut into. Results are those of single calls, bit for bit, and nothing else is written.
+//! Batches through views of every kind: any stride, any alignment, and counts about the sizes of chunks.
+//! Results have exactly the bits of single calls, and no other byte is written.
 
 #![allow(unsafe_code)] // batches go by addresses
 
@@ -19,7 +19,7 @@ fn for_every_view(check: impl Fn(&Subject, usize, Layout, Layout)) {
         for count in COUNTS {
             for input in LAYOUTS.into_iter().chain([BROADCAST]) {
                 for output in LAYOUTS {
-                    // All of one kind, or one of them far apart: every kind is met on both sides.
+                    // Every layout is met as an input and as an output, not every pair of them.
                     if input.0 == output.0 || input.0 == "elements" || output.0 == "planes" {
                         check(&subject, count, input, output);
                     }

@@ -39,7 +39,7 @@ fn observed(bsdf: &Bsdf, wo: DVec3, seed: u64) -> Observed {
     for _ in 0..SAMPLES {
         let sample = bsdf.sampled(wo.as_vec3(), Vec3::from(uniforms(&mut rng)), None);
         if sample.pdf == 0.0 {
-            // Which lobe found no direction is not told.
+            // A sample without a direction does not say which lobe was chosen.
             counts[ROWS * COLUMNS][0] += 1.0;
             continue;
         }
@@ -124,8 +124,8 @@ fn p_values(samples: &Histogram, density: &Histogram) -> Vec<f64> {
         let expected = column(density, lobe);
         let total: f64 = expected.iter().sum();
         if total > LEAST_SAMPLES {
-            // How many samples a lobe gets is settled here, to six standard deviations; then only
-            // their distribution is compared.
+            // The number of a lobe's samples is compared here, to six standard deviations. After that only
+            // their distribution is.
             let found = column(samples, lobe);
             let scale = found.iter().sum::<f64>() / total;
             if (scale - 1.0).abs() > 6.0 / total.sqrt() {
@@ -229,8 +229,8 @@ fn every_lobe_samples_its_density_at_drawn_parameters() {
     assert!(missing.is_empty(), "lobes that no draw tested: {missing:?}");
 }
 
-/// No model is forgotten at its defaults. Those that are Dirac through and through have no density to compare with:
-/// they must not pretend to one.
+/// No model is forgotten at its defaults. A model with Dirac lobes alone must give
+/// no value and no density.
 #[test]
 fn every_model_samples_its_density() {
     let mut dense = Vec::new();

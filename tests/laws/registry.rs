@@ -14,7 +14,7 @@ use pellicle::bsdf::{Flags, ParamKind, RegisteredModel, models};
 use rand::RngExt;
 use std::ops::Range;
 
-/// Parameters per model; more than [`combinations`].
+/// Draws of each model: more than the largest number of combinations.
 const CASES: u64 = 400;
 
 /// Says on unwinding which draw broke the law.
@@ -144,9 +144,9 @@ fn models_conserve_energy() {
             return;
         }
         let bsdf = drawn.double();
-        // 2e-3: what quadrature may be wrong by, see tests/albedo.rs; a closed form has no such error.
+        // 2e-3: what quadrature may be wrong by, see albedo.rs; a closed form has no such error.
         let greatest = if is_dirac(&bsdf) { 1.0 + 1e-6 } else { 1.002 };
-        // One of them: an albedo takes a hundred milliseconds.
+        // One direction a draw, because an albedo takes a hundred milliseconds.
         let wo = match rng.random_range(0..3) {
             0 => DVec3::Z,
             1 => visible(&bsdf, &mut rng),
@@ -218,7 +218,7 @@ fn weight_is_value_over_pdf() {
             assert!(sample.flags.contains(side), "{sample:?}");
             assert!(!is_reflection || sample.eta == 1.0, "{sample:?}");
             if sample.flags.contains(Flags::DELTA) {
-                // Nothing but sampling finds the direction, so the weight stands alone.
+                // Only sampling finds the direction of a Dirac lobe, so there is no density to divide by.
                 assert_eq!(sample.pdf, 0.0);
                 assert!(sample.weight.into_iter().any(|weight| weight > 0.0));
                 if is_dirac(&bsdf) {
@@ -306,7 +306,7 @@ fn single_precision_follows_double() {
             let (wo, wo_double) = rounded(hemisphere(&mut rng));
             let (mut wi, mut wi_double) = rounded(hemisphere(&mut rng));
             if rng.random_bool(0.7) {
-                // Where the light is: random directions miss the narrow lobes.
+                // Random directions miss narrow lobes, so most pairs come from sampling.
                 let sample = single.sampled(wo, Vec3::from(uniforms(&mut rng)), None);
                 if sample.flags != Flags(0) {
                     (wi, wi_double) = rounded(sample.wi.as_dvec3());

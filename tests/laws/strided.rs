@@ -13,13 +13,14 @@ pub struct Place {
     pub component: isize,
 }
 
-/// A name, and the place of so many elements of so many components.
+/// A name, and where elements lie, from the numbers of elements and of components.
 pub type Layout = (&'static str, fn(isize, isize) -> Place);
 
 const WORD: isize = 4;
 const KIB: isize = 1024;
 
-/// So many bytes in all, from there on; negative numbers of none become 0.
+/// The arguments are the size of the array in bytes, the offset of its first element and the strides. Sizes and
+/// offsets that an empty array makes negative become 0.
 fn place(bytes: isize, begin: isize, element: isize, component: isize) -> Place {
     Place {
         bytes: bytes.max(0) as usize,
@@ -73,7 +74,7 @@ pub const LAYOUTS: [Layout; 13] = [
     }),
 ];
 
-/// One element for all: to read only.
+/// One element that stands for all, for inputs.
 pub const BROADCAST: Layout = ("one for all", |_, c| place(c * WORD, 0, 0, WORD));
 
 /// An array; its bytes are 0 where nothing is written.
@@ -112,7 +113,7 @@ impl Array {
         }
     }
 
-    /// A component as bits, whatever it is.
+    /// The bits of a component.
     pub fn bits(&self, i: usize, c: usize) -> u32 {
         let at = self.offset(i, c);
         u32::from_ne_bytes(self.bytes[at..at + 4].try_into().unwrap())

@@ -227,7 +227,7 @@ fn disney_has_closed_albedos() {
 ///         si = mi.SurfaceInteraction3f()
 ///         si.wi = d(*wo)
 ///         si.sh_frame = mi.Frame3f(mi.Vector3f(0, 0, 1))
-///         print(r, wo, wi, b.value(mi.BSDFContext(), si, d(*wi))[0])
+///         print(r, wo, wi, b.eval(mi.BSDFContext(), si, d(*wi))[0])
 /// ```
 #[test]
 fn disney_has_mitsubas_values() {

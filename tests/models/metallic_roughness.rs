@@ -205,7 +205,7 @@ fn the_index_gives_f0() {
 ///         si = mi.SurfaceInteraction3f()
 ///         si.wi = d(*wo)
 ///         si.sh_frame = mi.Frame3f(mi.Vector3f(0, 0, 1))
-///         print(r, wo, wi, b.value(mi.BSDFContext(), si, d(*wi))[0])
+///         print(r, wo, wi, b.eval(mi.BSDFContext(), si, d(*wi))[0])
 /// ```
 #[test]
 fn a_metal_has_mitsubas_values() {

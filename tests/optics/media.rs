@@ -1,6 +1,6 @@
 //! The tables of docs/media.md are what the library computes.
 //!
-//! `PELLICLE_RENEW=1 cargo test --test optics_media` rewrites them.
+//! `PELLICLE_RENEW=1 cargo test --release --test optics media` rewrites them.
 
 use pellicle::optics::stack::Side;
 use pellicle::optics::{ColorSpace, Medium, Named, Reference, White};
@@ -95,7 +95,7 @@ fn the_tables_are_current() {
     } else {
         assert!(
             text == renewed,
-            "docs/media.md is out of date; PELLICLE_RENEW=1 cargo test --test optics_media rewrites it"
+            "docs/media.md is out of date; PELLICLE_RENEW=1 cargo test --release --test optics media rewrites it"
         );
     }
 }

@@ -22,11 +22,11 @@
 //!     d = mi.MicrofacetDistribution(type, au, av, True)
 //!     si = mi.SurfaceInteraction3f(); ctx = mi.BSDFContext()
 //!     wo = direction()
-//!     h = d.sampled(wo, mi.Point2f(random.random(), random.random()))[0]
+//!     h = d.sample(wo, mi.Point2f(random.random(), random.random()))[0]
 //!     wi = mi.reflect(wo, h)
 //!     if wi.z < 0.02: wi = direction()
 //!     si.wi = wo
-//!     value = bsdf.value(ctx, si, wi); pdf = bsdf.pdf(ctx, si, wi)
+//!     value = bsdf.eval(ctx, si, wi); pdf = bsdf.pdf(ctx, si, wi)
 //!     m = mi.Vector3f(wo.x + wi.x, wo.y + wi.y, wo.z + wi.z); n = math.sqrt(m.x**2 + m.y**2 + m.z**2)
 //!     m = mi.Vector3f(m.x / n, m.y / n, m.z / n)
 //!     g = [d.smith_g1(w, m) for w in (wo, wi)]
