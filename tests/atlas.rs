@@ -28,7 +28,7 @@ fn kinds() -> Vec<Kind> {
 
 /// Whether a film's plan says that it evaluates a method in a size.
 fn uses(film: &Film, kind: Kind) -> bool {
-    let reason = film.plan().reason.to_string_lossy();
+    let reason = &film.plan().reason;
     reason.starts_with(&format!("{}: ", kind.cost()))
 }
 
@@ -162,7 +162,7 @@ fn critical_angles_hold_the_tolerance() {
         let Compiled::Film(compiled) = contender.compile(&scene, scene.x.first) else {
             panic!("{ambient} {film} {base}: refused");
         };
-        assert_eq!(compiled.plan().method, c"bands");
+        assert_eq!(compiled.plan().method, "bands");
         let mut greatest = 0.0f64;
         for index in [film, base].into_iter().filter(|index| *index < ambient) {
             let critical = (1.0 - (index / ambient).powi(2)).sqrt() as f32;

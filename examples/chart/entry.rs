@@ -164,7 +164,7 @@ impl Compiled {
         Ok(compiled.map(|compiled| {
             let note = match &compiled {
                 Self::Film(film) => Some(PlanNote {
-                    method: film.plan().method.to_string_lossy().into_owned(),
+                    method: film.plan().method.to_owned(),
                     measured_max: film.plan().measured_max,
                     bytes: film.plan().bytes,
                     compile_ms,
@@ -180,7 +180,7 @@ impl Compiled {
     pub fn is_exact(&self) -> bool {
         match self {
             Self::Method(_) => false,
-            Self::Film(film) => film.plan().method == c"reference",
+            Self::Film(film) => film.plan().method == "reference",
             Self::Reference(_) => true,
         }
     }

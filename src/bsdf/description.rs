@@ -1,11 +1,14 @@
 //! What to create, and the checks that turn it into validated values.
 
-use super::Scalar;
 use super::film_rules::check_film;
-use super::varying::{Range, upward};
-use crate::bsdf::{Bounds, ModelInfo, ParamInfo, ParamKind, RegisteredModel, Values};
+use super::info::{ModelInfo, ParamInfo, ParamKind};
+use super::precision::Precision;
+use super::registry::RegisteredModel;
+use super::values::{Bounds, Values};
+use super::varying::{VaryingRange, upward};
 use crate::error::Error;
 use crate::film::Film;
+use crate::num::Level;
 use std::fmt;
 use std::sync::Arc;
 
@@ -14,9 +17,10 @@ use std::sync::Arc;
 #[derive(Clone, Default)]
 pub struct Description {
     model: String,
-    params: Vec<(String, Given)>,
+    params: Vec<(String, ParamValue)>,
     varying: Vec<(String, f32, f32)>,
     film: Option<Arc<Film>>,
+    simd_level: Option<String>,
 }
 
 impl fmt::Debug for Description {
@@ -32,7 +36,7 @@ impl fmt::Debug for Description {
 
 /// A parameter's value as given.
 #[derive(Clone, Debug)]
-enum Given {
+enum ParamValue {
     Numbers(Vec<f32>),
     Choice(String),
 }
@@ -55,7 +59,7 @@ impl Description {
     #[must_use]
     pub fn set(mut self, param: &str, numbers: &[f32]) -> Self {
         self.params
-            .push((param.to_owned(), Given::Numbers(numbers.to_vec())));
+            .push((param.to_owned(), ParamValue::Numbers(numbers.to_vec())));
         self
     }
 
@@ -63,7 +67,7 @@ impl Description {
     #[must_use]
     pub fn choose(mut self, param: &str, choice: &str) -> Self {
         self.params
-            .push((param.to_owned(), Given::Choice(choice.to_owned())));
+            .push((param.to_owned(), ParamValue::Choice(choice.to_owned())));
         self
     }
 
@@ -82,7 +86,21 @@ impl Description {
         self
     }
 
-    /// Checks everything there is to check.
+    /// The instructions that batches use: "scalar", "sse2", "avx2", "avx512" or "neon", if this processor has
+    /// them; without a choice the widest that it has. All return the same bits: this is for tests.
+    #[must_use]
+    pub fn simd_level(mut self, name: &str) -> Self {
+        self.simd_level = Some(name.to_owned());
+        self
+    }
+
+    pub(super) fn level(&self) -> Result<Level, Error> {
+        self.simd_level
+            .as_deref()
+            .map_or_else(|| Ok(Level::widest()), Level::named)
+    }
+
+    /// Validates names, values, ranges and the film.
     pub(super) fn resolve(&self, entry: &RegisteredModel) -> Result<Resolved, Error> {
         let info = entry.info;
         let mut resolved = Resolved {
@@ -104,7 +122,7 @@ impl Description {
                     "varying parameter '{name}' is given twice"
                 )));
             }
-            let range = Range {
+            let range = VaryingRange {
                 param,
                 min: *min,
                 max: *max,
@@ -136,12 +154,12 @@ impl Description {
 /// Validated values and ranges.
 pub(super) struct Resolved {
     pub values: Values<f32>,
-    pub varying: Vec<Range>,
+    pub varying: Vec<VaryingRange>,
 }
 
 impl Resolved {
     /// The values in the precision of the BSDF; directions are normalised in it.
-    pub fn values_in<T: Scalar>(&self, info: &ModelInfo) -> Values<T> {
+    pub fn values_in<T: Precision>(&self, info: &ModelInfo) -> Values<T> {
         let mut values = Values::defaults(info);
         for (index, param) in info.params.iter().enumerate() {
             let numbers = self
@@ -183,7 +201,7 @@ impl Resolved {
 
 fn index_of(info: &ModelInfo, name: &str) -> Result<usize, Error> {
     info.param(name).ok_or_else(|| {
-        let kind = format!("parameter of model {}", info.name.to_string_lossy());
+        let kind = format!("parameter of model {}", info.name);
         Error::unknown(&kind, name, info.params.iter().map(ParamInfo::name))
     })
 }
@@ -192,7 +210,7 @@ fn set(
     values: &mut Values<f32>,
     index: usize,
     param: &ParamInfo,
-    given: &Given,
+    given: &ParamValue,
 ) -> Result<(), Error> {
     let name = param.name();
     match (&param.kind, given) {
@@ -203,7 +221,7 @@ fn set(
                 max,
                 ..
             },
-            Given::Numbers(numbers),
+            ParamValue::Numbers(numbers),
         ) => {
             let numbers = spread(name, *components, numbers)?;
             for (c, number) in numbers.into_iter().enumerate().take(*components) {
@@ -211,15 +229,11 @@ fn set(
             }
             values.set_numbers(index, numbers);
         }
-        (ParamKind::Direction { min_z }, Given::Numbers(numbers)) => {
+        (ParamKind::Direction { min_z }, ParamValue::Numbers(numbers)) => {
             values.set_numbers(index, direction(name, numbers, *min_z)?);
         }
-        (ParamKind::Choice { choices }, Given::Choice(choice)) => {
-            let names = || {
-                choices
-                    .iter()
-                    .map(|choice| choice.to_str().unwrap_or_default())
-            };
+        (ParamKind::Choice { choices }, ParamValue::Choice(choice)) => {
+            let names = || choices.iter().copied();
             let found = names().position(|name| name == choice);
             let kind = format!("choice for '{name}'");
             values.set_choice(
@@ -227,12 +241,12 @@ fn set(
                 found.ok_or_else(|| Error::unknown(&kind, choice, names()))?,
             );
         }
-        (ParamKind::Choice { .. }, Given::Numbers(_)) => {
+        (ParamKind::Choice { .. }, ParamValue::Numbers(_)) => {
             return Err(Error::invalid(format!(
                 "parameter '{name}' takes the name of a choice, not numbers"
             )));
         }
-        (_, Given::Choice(_)) => {
+        (_, ParamValue::Choice(_)) => {
             return Err(Error::invalid(format!(
                 "parameter '{name}' takes numbers, not the name of a choice"
             )));
@@ -296,7 +310,7 @@ fn check_number(name: &str, number: f32, min: f32, max: f32) -> Result<(), Error
 }
 
 /// A declared range must lie within the parameter's own.
-fn check_range(info: &ModelInfo, range: &Range) -> Result<(), Error> {
+fn check_range(info: &ModelInfo, range: &VaryingRange) -> Result<(), Error> {
     let param = &info.params[range.param];
     let name = param.name();
     if !param.can_vary {

@@ -7,7 +7,7 @@ use super::types::{
 };
 use super::{bsdf, film};
 use crate::batch::{self, ConstView, EvalArgs, FilmArgs, SampleArgs, View};
-use crate::bsdf::MAX_VARYING;
+use crate::bsdf::{Call, MAX_VARYING};
 use crate::error::Error;
 use crate::num::Level;
 use libc::size_t;
@@ -32,13 +32,15 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
             let args = read_growing(args, args_size, "args")?;
             let args = EvalArgs {
                 count: args.count,
+                call: Call::default(),
                 wo: args.wo.into(),
                 wi: args.wi.into(),
                 varying: varying_views(args.varying, args.varying_count)?,
                 value: args.value.into(),
                 pdf: args.pdf.into(),
+                pdf_reverse: NO_VIEW,
             };
-            batch::eval(bsdf, &args, Level::chosen())
+            batch::eval(bsdf, &args, bsdf.level())
         }
     })
 }
@@ -61,6 +63,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
             let args = read_growing(args, args_size, "args")?;
             let args = SampleArgs {
                 count: args.count,
+                call: Call::default(),
                 wo: args.wo.into(),
                 u: args.u.into(),
                 varying: varying_views(args.varying, args.varying_count)?,
@@ -70,8 +73,9 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
                 eta: args.eta.into(),
                 flags: args.flags.into(),
                 lobe: args.lobe.into(),
+                lobe_probability: NO_VIEW,
             };
-            batch::sample(bsdf, &args, Level::chosen())
+            batch::sample(bsdf, &args, bsdf.level())
         }
     })
 }
@@ -99,10 +103,16 @@ pub unsafe extern "C" fn pellicle_film_reflectance_batch(
                 thickness_nm: args.thickness_nm.into(),
                 reflectance: args.reflectance.into(),
             };
-            batch::film_reflectance(film, &args, Level::chosen())
+            batch::film_reflectance(film, &args, Level::widest())
         }
     })
 }
+
+const NO_VIEW: View = View {
+    data: std::ptr::null_mut(),
+    element_stride: 0,
+    component_stride: 0,
+};
 
 unsafe fn varying_views<'a>(
     varying: *const PellicleConstView,

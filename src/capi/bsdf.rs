@@ -5,14 +5,29 @@ use super::boundary::{
     write_growing,
 };
 use super::film;
+use super::text::text;
 use super::types::{
     PellicleBsdf, PellicleBsdfDesc, PellicleBsdfInfo, PellicleParam, PellicleSample, PellicleStatus,
 };
-use crate::bsdf::{Bsdf, Description};
+use crate::bsdf::{Bsdf, Call, Description};
 use crate::error::Error;
-use crate::num::Level;
 use libc::size_t;
+use std::ffi::CString;
 use std::sync::Arc;
+
+/// What a handle points to: the BSDF and the texts of its own that C callers are given.
+pub(super) struct BsdfHandle {
+    bsdf: Bsdf,
+    plan: CString,
+}
+
+/// A handle with one reference, for tests that make a BSDF in Rust and call it as C does.
+#[doc(hidden)]
+pub fn bsdf_handle(bsdf: Bsdf) -> *mut PellicleBsdf {
+    let plan = CString::new(bsdf.plan()).unwrap_or_default();
+    let handle = Arc::new(BsdfHandle { bsdf, plan });
+    Arc::into_raw(handle).cast_mut().cast()
+}
 
 /// Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
 /// `*bsdf`.
@@ -31,16 +46,14 @@ pub unsafe extern "C" fn pellicle_bsdf_create(
     bsdf: *mut *mut PellicleBsdf,
 ) -> PellicleStatus {
     quiet_panics();
-    // Looked up here, as evaluation must not allocate.
-    Level::chosen();
     guard(|| {
         require(bsdf, "bsdf")?;
         // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is
         // a valid PellicleBsdfDesc.
         let description = unsafe { description(&read_growing(desc, desc_size, "desc")?)? };
-        let handle = Arc::new(Bsdf::<f32>::new(&description)?);
+        let handle = bsdf_handle(Bsdf::new(&description)?);
         // SAFETY: not NULL, and the caller vouches that it is writable.
-        unsafe { *bsdf = Arc::into_raw(handle).cast_mut().cast() };
+        unsafe { bsdf.write_unaligned(handle) };
         Ok(())
     })
 }
@@ -54,7 +67,7 @@ pub unsafe extern "C" fn pellicle_bsdf_retain(bsdf: *mut PellicleBsdf) -> Pellic
     guard(|| {
         require(bsdf, "bsdf")?;
         // SAFETY: a live handle came from Arc::into_raw.
-        unsafe { Arc::increment_strong_count(bsdf.cast_const().cast::<Bsdf>()) };
+        unsafe { Arc::increment_strong_count(bsdf.cast_const().cast::<BsdfHandle>()) };
         Ok(())
     })
 }
@@ -68,7 +81,7 @@ pub unsafe extern "C" fn pellicle_bsdf_release(bsdf: *mut PellicleBsdf) {
     if !bsdf.is_null() {
         guard(|| {
             // SAFETY: a live handle came from Arc::into_raw.
-            unsafe { Arc::decrement_strong_count(bsdf.cast_const().cast::<Bsdf>()) };
+            unsafe { Arc::decrement_strong_count(bsdf.cast_const().cast::<BsdfHandle>()) };
             Ok(())
         });
     }
@@ -88,15 +101,14 @@ pub unsafe extern "C" fn pellicle_bsdf_info(
         check_output(info, info_size, "info")?;
         // SAFETY: the caller vouches for the handle and for `info_size` bytes.
         unsafe {
-            let bsdf = handle(bsdf)?;
-            let model = bsdf.info();
+            let BsdfHandle { bsdf, plan } = reference(bsdf.cast::<BsdfHandle>(), "bsdf")?;
             let filled = PellicleBsdfInfo {
-                model: model.name.as_ptr(),
+                model: text(bsdf.info().name),
                 flags: bsdf.flags().0,
                 varying_count: bsdf.varying_count() as u32,
                 varying_floats: bsdf.varying_floats() as u32,
                 lobe_count: bsdf.lobe_infos().len() as u32,
-                plan: bsdf.plan().as_ptr(),
+                plan: plan.as_ptr(),
             };
             write_growing(info, info_size, &filled);
         }
@@ -130,12 +142,15 @@ pub unsafe extern "C" fn pellicle_bsdf_eval(
             let varying = varying_numbers(bsdf, varying);
             if pdf.is_null() {
                 require(value, "value (and pdf)")?;
-                value
-                    .cast::<[f32; 3]>()
-                    .write_unaligned(bsdf.eval(wo, wi, varying));
+                value.cast::<[f32; 3]>().write_unaligned(bsdf.eval(
+                    wo,
+                    wi,
+                    varying,
+                    &Call::default(),
+                ));
                 return Ok(());
             }
-            let (rgb, density) = bsdf.eval_pdf(wo, wi, varying);
+            let (rgb, density) = bsdf.eval_pdf(wo, wi, varying, &Call::default());
             if !value.is_null() {
                 value.cast::<[f32; 3]>().write_unaligned(rgb);
             }
@@ -167,7 +182,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample(
             let bsdf = handle(bsdf)?;
             let wo = numbers::<3>(wo, "wo")?.into();
             let u = numbers::<3>(u, "u")?.into();
-            let sampled = bsdf.sample(wo, u, varying_numbers(bsdf, varying));
+            let sampled = bsdf.sample(wo, u, varying_numbers(bsdf, varying), &Call::default());
             let filled = PellicleSample {
                 wi: sampled.wi.to_array(),
                 pdf: sampled.pdf,
@@ -202,7 +217,7 @@ pub unsafe extern "C" fn pellicle_bsdf_albedo(
         unsafe {
             let bsdf = handle(bsdf)?;
             let wo = numbers::<3>(wo, "wo")?.into();
-            let rgb = bsdf.albedo(wo, varying_numbers(bsdf, varying));
+            let rgb = bsdf.albedo(wo, varying_numbers(bsdf, varying), &Call::default());
             albedo.cast::<[f32; 3]>().write_unaligned(rgb);
         }
         Ok(())
@@ -212,8 +227,8 @@ pub unsafe extern "C" fn pellicle_bsdf_albedo(
 /// The BSDF behind a handle.
 #[inline(always)]
 pub(super) unsafe fn handle<'a>(bsdf: *const PellicleBsdf) -> Result<&'a Bsdf, Error> {
-    // SAFETY: NULL is refused; a live handle came from Arc::into_raw of an Arc<Bsdf>.
-    unsafe { reference(bsdf.cast::<Bsdf>(), "bsdf") }
+    // SAFETY: NULL is refused; a live handle came from Arc::into_raw of an Arc<BsdfHandle>.
+    unsafe { reference(bsdf.cast::<BsdfHandle>(), "bsdf") }.map(|handle| &handle.bsdf)
 }
 
 #[inline(always)]

@@ -62,8 +62,8 @@ impl Handles {
         };
         let film = Film::new(&description).unwrap();
         Self {
-            bsdf: Arc::into_raw(Arc::new(bsdf)).cast_mut().cast(),
-            film: Arc::into_raw(Arc::new(film)).cast_mut().cast(),
+            bsdf: bsdf_handle(bsdf),
+            film: film_handle(Arc::new(film)),
         }
     }
 }

@@ -5,16 +5,31 @@ use super::boundary::{
     write_growing,
 };
 use super::film_description::film_description;
+use super::text::text;
 use super::types::{
     PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE, PellicleFilm, PellicleFilmDesc, PellicleFilmPlan,
     PellicleStatus,
 };
 use crate::error::Error;
 use crate::film::Film;
-use crate::num::Level;
 use crate::optics::stack::Side;
 use libc::size_t;
+use std::ffi::CString;
 use std::sync::Arc;
+
+/// What a handle points to: the film, which BSDFs share, and the text of its own that C callers are given.
+pub(super) struct FilmHandle {
+    film: Arc<Film>,
+    reason: CString,
+}
+
+/// A handle with one reference, for tests that make a film in Rust and call it as C does.
+#[doc(hidden)]
+pub fn film_handle(film: Arc<Film>) -> *mut PellicleFilm {
+    let reason = CString::new(film.plan().reason.as_str()).unwrap_or_default();
+    let handle = Arc::new(FilmHandle { film, reason });
+    Arc::into_raw(handle).cast_mut().cast()
+}
 
 /// Creates a film: validates the description, chooses and compiles the method that evaluates it, and
 /// stores a handle with one reference in `*film`. Meant for loading, not for shading.
@@ -33,16 +48,14 @@ pub unsafe extern "C" fn pellicle_film_create(
     film: *mut *mut PellicleFilm,
 ) -> PellicleStatus {
     quiet_panics();
-    // Looked up here, as evaluation must not allocate.
-    Level::chosen();
     guard(|| {
         require(film, "film")?;
         // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is
         // a valid PellicleFilmDesc.
         let description = unsafe { film_description(&read_growing(desc, desc_size, "desc")?)? };
-        let handle = Arc::new(Film::new(&description)?);
+        let handle = film_handle(Arc::new(Film::new(&description)?));
         // SAFETY: not NULL, and the caller vouches that it is writable.
-        unsafe { *film = Arc::into_raw(handle).cast_mut().cast() };
+        unsafe { film.write_unaligned(handle) };
         Ok(())
     })
 }
@@ -56,7 +69,7 @@ pub unsafe extern "C" fn pellicle_film_retain(film: *mut PellicleFilm) -> Pellic
     guard(|| {
         require(film, "film")?;
         // SAFETY: a live handle came from Arc::into_raw.
-        unsafe { Arc::increment_strong_count(film.cast_const().cast::<Film>()) };
+        unsafe { Arc::increment_strong_count(film.cast_const().cast::<FilmHandle>()) };
         Ok(())
     })
 }
@@ -71,7 +84,7 @@ pub unsafe extern "C" fn pellicle_film_release(film: *mut PellicleFilm) {
     if !film.is_null() {
         guard(|| {
             // SAFETY: a live handle came from Arc::into_raw.
-            unsafe { Arc::decrement_strong_count(film.cast_const().cast::<Film>()) };
+            unsafe { Arc::decrement_strong_count(film.cast_const().cast::<FilmHandle>()) };
             Ok(())
         });
     }
@@ -91,14 +104,15 @@ pub unsafe extern "C" fn pellicle_film_plan(
         check_output(plan, plan_size, "plan")?;
         // SAFETY: the caller vouches for the handle and for `plan_size` bytes.
         unsafe {
-            let found = handle(film)?.plan();
+            let FilmHandle { film, reason } = reference(film.cast::<FilmHandle>(), "film")?;
+            let found = film.plan();
             let filled = PellicleFilmPlan {
-                method: found.method.as_ptr(),
+                method: text(found.method),
                 tolerance: found.tolerance as f32,
                 measured_max: found.measured_max as f32,
                 measured_rms: found.measured_rms as f32,
                 bytes: found.bytes,
-                reason: found.reason.as_ptr(),
+                reason: reason.as_ptr(),
             };
             write_growing(plan, plan_size, &filled);
         }
@@ -130,7 +144,9 @@ pub unsafe extern "C" fn pellicle_film_reflectance(
         unsafe {
             write(
                 rgb,
-                (*film.cast::<Film>()).reflectance(cos_theta, thickness_nm),
+                (*film.cast::<FilmHandle>())
+                    .film
+                    .reflectance(cos_theta, thickness_nm),
             )
         };
         Ok(())
@@ -239,18 +255,15 @@ pub unsafe extern "C" fn pellicle_film_spectrum(
 /// The film behind a handle.
 #[inline(always)]
 pub(super) unsafe fn handle<'a>(film: *const PellicleFilm) -> Result<&'a Film, Error> {
-    // SAFETY: NULL is refused; a live handle came from Arc::into_raw of an Arc<Film>.
-    unsafe { reference(film.cast::<Film>(), "film") }
+    // SAFETY: NULL is refused; a live handle came from Arc::into_raw of an Arc<FilmHandle>.
+    unsafe { reference(film.cast::<FilmHandle>(), "film") }.map(|handle| &*handle.film)
 }
 
 /// A reference of our own to the film behind a handle; none for NULL.
 pub(super) unsafe fn share(film: *const PellicleFilm) -> Option<Arc<Film>> {
-    let film = film.cast::<Film>();
-    // SAFETY: a live handle came from Arc::into_raw of an Arc<Film>.
-    (!film.is_null()).then(|| unsafe {
-        Arc::increment_strong_count(film);
-        Arc::from_raw(film)
-    })
+    // SAFETY: a live handle came from Arc::into_raw of an Arc<FilmHandle>.
+    let handle = unsafe { film.cast::<FilmHandle>().as_ref() };
+    handle.map(|handle| Arc::clone(&handle.film))
 }
 
 #[inline(always)]

@@ -16,6 +16,7 @@ mod film_description;
 mod last_error;
 mod medium;
 mod model;
+mod text;
 mod types;
 mod version;
 

@@ -2,6 +2,7 @@
 
 use super::args::{PellicleModelInfo, PellicleModelParam};
 use super::boundary::{check_output, guard, write_growing};
+use super::text::text;
 use super::types::{
     PELLICLE_KIND_CHOICE, PELLICLE_KIND_DIRECTION, PELLICLE_KIND_NUMBER, PellicleStatus,
 };
@@ -33,12 +34,12 @@ pub unsafe extern "C" fn pellicle_model_info(
         let reason = |exception: &Option<Exception>| {
             exception
                 .as_ref()
-                .map_or(null(), |exception| exception.reason.as_ptr())
+                .map_or(null(), |exception| text(exception.reason))
         };
         let filled = PellicleModelInfo {
-            name: described.name.as_ptr(),
-            summary: described.summary.as_ptr(),
-            source: described.source.as_ptr(),
+            name: text(described.name),
+            summary: text(described.summary),
+            source: text(described.source),
             flags: described.flags().0,
             param_count: described.params.len() as u32,
             lobe_count: described.lobes.len() as u32,
@@ -91,9 +92,9 @@ fn numbered_model(model: usize) -> Result<&'static RegisteredModel, Error> {
 
 fn fill(param: &ParamInfo) -> PellicleModelParam {
     let mut filled = PellicleModelParam {
-        name: param.name.as_ptr(),
-        unit: param.unit.as_ptr(),
-        summary: param.summary.as_ptr(),
+        name: text(param.name),
+        unit: text(param.unit),
+        summary: text(param.summary),
         kind: PELLICLE_KIND_NUMBER,
         components: param.components() as u32,
         can_vary: u32::from(param.can_vary),
@@ -121,10 +122,10 @@ fn fill(param: &ParamInfo) -> PellicleModelParam {
         }
         ParamKind::Choice { choices } => {
             filled.kind = PELLICLE_KIND_CHOICE;
-            filled.default_choice = choices[0].as_ptr();
+            filled.default_choice = text(choices[0]);
             filled.choice_count = choices.len() as u32;
             for (target, choice) in filled.choices.iter_mut().zip(choices) {
-                *target = choice.as_ptr();
+                *target = text(choice);
             }
         }
     }

@@ -269,7 +269,7 @@ pub struct PellicleView {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct PellicleUintView {
-    /// Lane 0.
+    /// Element 0.
     pub data: *mut u32,
     /// Bytes from one element to the next.
     pub element_stride: ptrdiff_t,

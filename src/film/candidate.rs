@@ -3,7 +3,6 @@
 use super::{FilmDescription, Kind, Sensitivity};
 use crate::error::Error;
 use crate::optics::Medium;
-use std::ffi::CStr;
 
 /// A method, in a size.
 #[derive(Clone, Copy, Debug)]
@@ -24,17 +23,17 @@ pub(super) enum Candidate {
 
 /// The names that a method is forced by ([`FilmDescription::method`]) and reported with
 /// ([`Plan::method`](super::Plan::method)).
-pub const METHODS: [&CStr; 10] = [
-    c"schlick",
-    c"fresnel",
-    c"table",
-    c"two_beam",
-    c"airy_rgb",
-    c"quadrature",
-    c"harmonics",
-    c"bands",
-    c"series",
-    c"reference",
+pub const METHODS: [&str; 10] = [
+    "schlick",
+    "fresnel",
+    "table",
+    "two_beam",
+    "airy_rgb",
+    "quadrature",
+    "harmonics",
+    "bands",
+    "series",
+    "reference",
 ];
 
 /// Sizes that are tried.
@@ -43,7 +42,7 @@ const BANDS: [usize; 6] = [8, 16, 32, 64, 128, 256];
 const ORDERS: [usize; 8] = [1, 2, 3, 4, 6, 8, 12, 16];
 
 impl Candidate {
-    pub(super) fn name(self) -> &'static CStr {
+    pub(super) fn name(self) -> &'static str {
         METHODS[match self {
             Self::Schlick => 0,
             Self::Fresnel => 1,
@@ -107,9 +106,7 @@ impl Candidate {
             }
         }
         candidates.retain(|candidate| {
-            forced.map_or(candidate.is_steady(), |name| {
-                candidate.name().to_bytes() == name.as_bytes()
-            })
+            forced.map_or(candidate.is_steady(), |name| candidate.name() == name)
         });
         candidates.sort_by(|a, b| a.cost_ns().total_cmp(&b.cost_ns()));
         candidates
@@ -117,9 +114,8 @@ impl Candidate {
 
     /// That a name exists, and that the method takes such a film.
     pub(super) fn check(name: &str, description: &FilmDescription) -> Result<(), Error> {
-        let known = METHODS.map(|method| method.to_str().unwrap_or_default());
-        if !known.contains(&name) {
-            return Err(Error::unknown("method", name, known.into_iter()));
+        if !METHODS.contains(&name) {
+            return Err(Error::unknown("method", name, METHODS.into_iter()));
         }
         if !Self::by_cost(description, Some(name)).is_empty() {
             return Ok(());

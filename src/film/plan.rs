@@ -14,13 +14,12 @@ use crate::num::Rgb;
 use crate::optics::Reference;
 use crate::optics::stack::Side;
 use std::cell::OnceCell;
-use std::ffi::{CStr, CString};
 
 /// What was chosen, and what it was measured to do.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The method's name.
-    pub method: &'static CStr,
+    pub method: &'static str,
     /// The error that was allowed.
     pub tolerance: f64,
     /// The greatest error of a channel found, at points that the method was not made from.
@@ -30,7 +29,7 @@ pub struct Plan {
     /// Bytes of the tables.
     pub bytes: usize,
     /// One sentence.
-    pub reason: CString,
+    pub reason: String,
 }
 
 /// The most values of one table: 2 MiB.
@@ -134,7 +133,7 @@ pub(super) fn plan(
     )))
 }
 
-fn reason(size: &str, candidate: Candidate, forced: bool) -> CString {
+fn reason(size: &str, candidate: Candidate, forced: bool) -> String {
     let why = match candidate {
         _ if forced => "asked for by name, and it holds the tolerance",
         Candidate::Reference => "no faster method holds the tolerance",
@@ -142,7 +141,7 @@ fn reason(size: &str, candidate: Candidate, forced: bool) -> CString {
         Candidate::Fresnel => "nothing is coated, and Fresnel's equations are exact",
         _ => "the cheapest method that holds the tolerance",
     };
-    CString::new(format!("{size}: {why}")).unwrap_or_default()
+    format!("{size}: {why}")
 }
 
 impl Workshop<'_> {

@@ -148,14 +148,14 @@ impl Film {
         reflectance: [&mut [f32]; 3],
     ) {
         match &self.compiled {
-            Compiled::Table(table) => level.run(Tile {
+            Compiled::Table(table) if !level.is_scalar() => level.run(Tile {
                 film: self,
                 tabulated: table,
                 cos_theta,
                 thickness_nm,
                 reflectance,
             }),
-            Compiled::Curve(curve) => level.run(Tile {
+            Compiled::Curve(curve) if !level.is_scalar() => level.run(Tile {
                 film: self,
                 tabulated: curve,
                 cos_theta,

@@ -1,12 +1,12 @@
 //! Single calls as most tests make them. Whatever else a call may ask for is at its default here and has
 //! tests of its own.
 
-use pellicle::bsdf::PerLobe;
+use pellicle::bsdf::{PerLobe, Precision};
 use pellicle::num::Rgb;
-use pellicle::{Bsdf, Sample, Scalar};
+use pellicle::{Bsdf, Call, Sample};
 
 /// Calls at their defaults. `varying` is what varies per call, as [`Bsdf`] takes it.
-pub trait Calls<T: Scalar> {
+pub trait Calls<T: Precision> {
     /// f(wo, wi) |wi.z|.
     fn value(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> Rgb<T>;
     /// The value, and the density of `wi`.
@@ -24,13 +24,13 @@ pub trait Calls<T: Scalar> {
     fn directional_albedo(&self, wo: T::Vector, varying: Option<&[T]>) -> Rgb<T>;
 }
 
-impl<T: Scalar> Calls<T> for Bsdf<T> {
+impl<T: Precision> Calls<T> for Bsdf<T> {
     fn value(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
-        self.eval(wo, wi, varying)
+        self.eval(wo, wi, varying, &Call::default())
     }
 
     fn value_pdf(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> (Rgb<T>, T) {
-        self.eval_pdf(wo, wi, varying)
+        self.eval_pdf(wo, wi, varying, &Call::default())
     }
 
     fn lobe_densities(
@@ -43,10 +43,10 @@ impl<T: Scalar> Calls<T> for Bsdf<T> {
     }
 
     fn sampled(&self, wo: T::Vector, u: T::Vector, varying: Option<&[T]>) -> Sample<T> {
-        self.sample(wo, u, varying)
+        self.sample(wo, u, varying, &Call::default())
     }
 
     fn directional_albedo(&self, wo: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
-        self.albedo(wo, varying)
+        self.albedo(wo, varying, &Call::default())
     }
 }

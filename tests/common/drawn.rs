@@ -7,7 +7,6 @@ use pellicle::bsdf::{Exception, Flags, ParamKind, RegisteredModel, Values};
 use pellicle::film::Film;
 use pellicle::{Bsdf, Description, Status};
 use rand::{Rng, RngExt};
-use std::ffi::CStr;
 use std::sync::Arc;
 
 /// A model's name and every parameter at its default, with a film if it needs one then.
@@ -124,7 +123,7 @@ impl Drawn {
             let numbers = changed.map_or(&self.numbers[index], |(_, numbers)| numbers);
             description = match param.kind {
                 ParamKind::Choice { choices } => {
-                    let name = choices[self.choices[index]].to_str().unwrap();
+                    let name = choices[self.choices[index]];
                     description.choose(param.name(), name)
                 }
                 _ if numbers.is_empty() => description,
@@ -236,7 +235,7 @@ impl Drawn {
     }
 
     /// What is chosen for the parameter of that name.
-    pub fn choice(&self, name: &str) -> &'static CStr {
+    pub fn choice(&self, name: &str) -> &'static str {
         let index = self.entry.info.param(name).unwrap();
         match self.entry.info.params[index].kind {
             ParamKind::Choice { choices } => choices[self.choices[index]],

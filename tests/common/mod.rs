@@ -12,8 +12,9 @@ pub mod quadrature;
 pub use drawn::{Drawn, Variation, combinations, defaults};
 
 use glam::{DVec3, Vec3};
+use pellicle::Bsdf;
 use pellicle::bsdf::Flags;
-use pellicle::{Bsdf, Scalar};
+use pellicle::bsdf::Precision;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -66,7 +67,7 @@ pub fn number(rng: &mut impl Rng, min: f32, max: f32) -> f32 {
 }
 
 /// A direction on a side that the BSDF has: the upper, or either.
-pub fn visible<T: Scalar>(bsdf: &Bsdf<T>, rng: &mut impl Rng) -> DVec3 {
+pub fn visible<T: Precision>(bsdf: &Bsdf<T>, rng: &mut impl Rng) -> DVec3 {
     let up = hemisphere(rng);
     if bsdf.flags().contains(Flags::TRANSMISSION) && rng.random_bool(0.5) {
         -up
@@ -76,7 +77,7 @@ pub fn visible<T: Scalar>(bsdf: &Bsdf<T>, rng: &mut impl Rng) -> DVec3 {
 }
 
 /// Whether no lobe has a density.
-pub fn is_dirac<T: Scalar>(bsdf: &Bsdf<T>) -> bool {
+pub fn is_dirac<T: Precision>(bsdf: &Bsdf<T>) -> bool {
     bsdf.lobe_infos()
         .iter()
         .all(|lobe| lobe.flags.contains(Flags::DELTA))

@@ -199,7 +199,7 @@ fn a_vanishing_film_is_the_bare_base() {
             ..description
         })
         .unwrap();
-        assert_eq!(coated.plan().method, c"table");
+        assert_eq!(coated.plan().method, "table");
         let tolerance = coated.plan().tolerance;
         for i in 0..=300u16 {
             // Not along the surface: what is there grows with thickness over cosine.

@@ -6,9 +6,10 @@ use crate::common::calls::Calls;
 use crate::common::films::Kind;
 use crate::common::rng;
 use glam::Vec3;
+use pellicle::bsdf::Precision;
 use pellicle::film::Film;
 use pellicle::optics::stack::Side;
-use pellicle::{Bsdf, Description, Sample, Scalar};
+use pellicle::{Bsdf, Description, Sample};
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::sync::Arc;
@@ -51,7 +52,7 @@ pub fn bsdf(kind: Kind, seed: u64) -> Bsdf {
 
 /// The probability and a sample of each lobe that can be chosen. A lobe is left out whose probability is so
 /// small that no number lies in its share of [0, 1).
-pub fn lobes<T: Scalar>(bsdf: &Bsdf<T>, wo: T::Vector) -> Vec<(T, Sample<T>)> {
+pub fn lobes<T: Precision>(bsdf: &Bsdf<T>, wo: T::Vector) -> Vec<(T, Sample<T>)> {
     let probabilities = bsdf.lobe_densities(wo, wo, None).0;
     let [zero, half, one] = [0.0, 0.5, 1.0].map(T::new);
     let mut below = zero;
@@ -69,7 +70,7 @@ pub fn lobes<T: Scalar>(bsdf: &Bsdf<T>, wo: T::Vector) -> Vec<(T, Sample<T>)> {
 }
 
 /// The transmission lobe, if there is one.
-pub fn transmitted<T: Scalar>(bsdf: &Bsdf<T>, wo: T::Vector) -> Option<(T, Sample<T>)> {
+pub fn transmitted<T: Precision>(bsdf: &Bsdf<T>, wo: T::Vector) -> Option<(T, Sample<T>)> {
     let mut lobes = lobes(bsdf, wo).into_iter();
     lobes.find(|(_, sample)| sample.lobe == TRANSMISSION)
 }

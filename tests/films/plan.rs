@@ -174,7 +174,7 @@ fn methods_are_forced_by_name() {
         let film = film(&with(name, tolerance, description));
         let plan = film.plan();
         assert_eq!((method(&film), plan.tolerance), (name, tolerance));
-        let reason = plan.reason.to_str().unwrap();
+        let reason = plan.reason.as_str();
         assert!(reason.contains("asked for by name"), "{reason}");
         let (max, _) = errors(&film, 100);
         assert!(max <= tolerance, "{name} {tolerance}: {max:e} {plan:?}");

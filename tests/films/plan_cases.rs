@@ -54,7 +54,7 @@ pub fn film(description: &FilmDescription) -> Film {
 }
 
 pub fn method(film: &Film) -> &'static str {
-    film.plan().method.to_str().unwrap()
+    film.plan().method
 }
 
 /// The status and the message of a film that must not be created.

@@ -207,7 +207,7 @@ fn tables_hold_the_tolerance_at_critical_angles() {
     let steps = [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3];
     for description in [prism(), lens, lens_of_one, oil, three, tinted()] {
         let film = Film::new(&two_sided(description)).unwrap();
-        assert_eq!(film.plan().method, c"table");
+        assert_eq!(film.plan().method, "table");
         let description = film.description();
         let layers = description.layers.iter().map(|layer| &layer.medium);
         let media = layers.chain([&description.ambient, &description.base]);

@@ -17,10 +17,7 @@ fn range(param: &ParamInfo) -> (String, String) {
         } => (format!("{min} .. {max}"), format!("{default}")),
         ParamKind::Direction { min_z } => (format!("z >= {min_z}"), "(0, 0, 1)".to_owned()),
         ParamKind::Choice { choices } => {
-            let names: Vec<_> = choices
-                .iter()
-                .map(|choice| choice.to_str().unwrap())
-                .collect();
+            let names: Vec<_> = choices.iter().copied().collect();
             (names.join(", "), names[0].to_owned())
         }
     }
@@ -28,7 +25,7 @@ fn range(param: &ParamInfo) -> (String, String) {
 
 fn section(entry: &RegisteredModel) -> String {
     let info = entry.info;
-    let text = |text: &std::ffi::CStr| text.to_str().unwrap().to_owned();
+    let text = str::to_owned;
     let mut out = format!("### `{}`\n\n", entry.name());
     writeln!(out, "{} Source: {}.", text(info.summary), text(info.source)).unwrap();
     let mut exception = |law: &str, exception: &Option<Exception>| {

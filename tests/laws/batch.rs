@@ -3,13 +3,12 @@
 
 #![allow(unsafe_code)] // batches go by addresses
 
-use crate::common::calls::Calls;
 use crate::common::{Drawn, Variation, combinations, hemisphere, rng, uniforms};
 use glam::Vec3;
 use pellicle::batch::{ConstView, EvalArgs, SampleArgs, View, eval, sample};
-use pellicle::bsdf::{ParamKind, models};
+use pellicle::bsdf::{Flags, ParamKind, models};
 use pellicle::num::Level;
-use pellicle::{Bsdf, Description};
+use pellicle::{Bsdf, Call, Description, Transport};
 use rand::{Rng, RngExt};
 
 /// Two chunks and a rest that is no multiple of any number of lanes.
@@ -176,8 +175,22 @@ fn bits<const N: usize>(numbers: [f32; N]) -> [u32; N] {
     numbers.map(f32::to_bits)
 }
 
+/// The default for most seeds; for the others importance, and one of the BSDF's lobes or none.
+fn call(bsdf: &Bsdf, seed: u64) -> Call {
+    if !seed.is_multiple_of(3) {
+        return Call::default();
+    }
+    let lobes = bsdf.lobe_infos();
+    let lobe = lobes.get(seed as usize / 3 % (lobes.len() + 1));
+    Call {
+        transport: Transport::Importance,
+        lobes: lobe.map_or(Flags(0), |lobe| lobe.flags),
+    }
+}
+
 pub fn check_eval(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u64) {
     let bsdf = Bsdf::<f32>::new(description).unwrap();
+    let call = call(&bsdf, seed);
     let batch = Batch::drawn(ranges, false, &mut rng(seed));
     let (wo, wi, varying) = (
         Planes::of(&batch.wo),
@@ -188,23 +201,26 @@ pub fn check_eval(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u64
     for level in Level::all() {
         for with_pdf in [false, true] {
             let mut value = Planes::new(3, |_, _| f32::NAN);
-            let mut pdf = Planes::new(1, |_, _| f32::NAN);
-            let mut pdf_view = pdf.view();
+            let [mut pdf, mut reverse] = [(); 2].map(|()| Planes::new(1, |_, _| f32::NAN));
+            let [mut pdf_view, mut reverse_view] = [pdf.view(), reverse.view()];
             if !with_pdf {
                 pdf_view.data = std::ptr::null_mut();
+                reverse_view.data = std::ptr::null_mut();
             }
             let args = EvalArgs {
                 count: COUNT,
+                call,
                 wo: wo.const_view(),
                 wi: wi.const_view(),
                 varying: &views,
                 value: value.view(),
                 pdf: pdf_view,
+                pdf_reverse: reverse_view,
             };
             // SAFETY: all views are of arrays of COUNT elements.
             unsafe { eval(&bsdf, &args, level) }.unwrap();
             for i in 0..COUNT {
-                let single = bsdf.value_pdf(batch.wo[i], batch.other[i], batch.of(i));
+                let single = bsdf.evaluate(batch.wo[i], batch.other[i], batch.of(i), &call);
                 let what = format!(
                     "{} {description:?} {:?} {:?} {:?}",
                     level.name(),
@@ -212,9 +228,11 @@ pub fn check_eval(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u64
                     batch.other[i],
                     batch.varying[i]
                 );
-                assert_eq!(bits(value.get(i)), bits(single.0), "{what} {:?}", single.0);
+                assert_eq!(bits(value.get(i)), bits(single.value), "{what} {single:?}");
                 if with_pdf {
-                    assert_eq!(bits(pdf.get(i)), bits([single.1]), "{what} {}", single.1);
+                    let found = [pdf.get::<1>(i)[0], reverse.get::<1>(i)[0]];
+                    let expected = [single.pdf, single.pdf_reverse];
+                    assert_eq!(bits(found), bits(expected), "{what} {single:?}");
                 }
             }
         }
@@ -223,6 +241,7 @@ pub fn check_eval(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u64
 
 pub fn check_sample(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u64) {
     let bsdf = Bsdf::<f32>::new(description).unwrap();
+    let call = call(&bsdf, seed);
     let batch = Batch::drawn(ranges, true, &mut rng(seed));
     let (wo, u, varying) = (
         Planes::of(&batch.wo),
@@ -232,10 +251,11 @@ pub fn check_sample(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u
     let views = varying.views(ranges);
     for level in Level::all() {
         let [mut wi, mut weight] = [(); 2].map(|()| Planes::new(3, |_, _| f32::NAN));
-        let [mut pdf, mut eta] = [(); 2].map(|()| Planes::new(1, |_, _| f32::NAN));
+        let [mut pdf, mut eta, mut probability] = [(); 3].map(|()| Planes::new(1, |_, _| f32::NAN));
         let [mut flags, mut lobe] = [(); 2].map(|()| Planes::new(1, |_, _| u32::MAX));
         let args = SampleArgs {
             count: COUNT,
+            call,
             wo: wo.const_view(),
             u: u.const_view(),
             varying: &views,
@@ -245,16 +265,18 @@ pub fn check_sample(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u
             eta: eta.view(),
             flags: flags.view(),
             lobe: lobe.view(),
+            lobe_probability: probability.view(),
         };
         // SAFETY: all views are of arrays of COUNT elements.
         unsafe { sample(&bsdf, &args, level) }.unwrap();
         for i in 0..COUNT {
-            let single = bsdf.sampled(batch.wo[i], batch.other[i], batch.of(i));
+            let single = bsdf.sample(batch.wo[i], batch.other[i], batch.of(i), &call);
             let what = format!("{} {description:?} {single:?}", level.name());
             assert_eq!(bits(wi.get(i)), bits(single.wi.to_array()), "{what}");
             assert_eq!(bits(weight.get(i)), bits(single.weight), "{what}");
-            let found = [pdf.get::<1>(i)[0], eta.get::<1>(i)[0]];
-            assert_eq!(bits(found), bits([single.pdf, single.eta]), "{what}");
+            let found = [&pdf, &eta, &probability].map(|plane| plane.get::<1>(i)[0]);
+            let expected = [single.pdf, single.eta, single.lobe_probability];
+            assert_eq!(bits(found), bits(expected), "{what}");
             let found = [flags.get::<1>(i)[0], lobe.get::<1>(i)[0]];
             assert_eq!(found, [single.flags.0, single.lobe as u32], "{what}");
         }

@@ -8,7 +8,7 @@ use crate::common::{hemisphere, rng, uniforms};
 use crate::strided::{Array, Layout};
 use glam::Vec3;
 use pellicle::batch::{ConstView, View};
-use pellicle::{Bsdf, Description, Sample};
+use pellicle::{Bsdf, Call, Description, Evaluation, Sample};
 use rand::RngExt;
 
 /// No element, too few for lanes, about multiples of 16 lanes, a chunk of 256, and more than a chunk.
@@ -66,7 +66,10 @@ impl Inputs {
     pub fn new(subject: &Subject, count: usize, layout: Layout) -> Self {
         let rng = &mut rng(count as u64);
         let [mut wo, mut wi, mut u] = [(); 3].map(|()| Array::new(layout, count, 3));
-        let components = subject.bsdf.varying_components();
+        let components = subject
+            .bsdf
+            .varying()
+            .map(|varying| varying.param.components());
         let mut varying: Vec<Array> = components.map(|c| Array::new(layout, count, c)).collect();
         for i in 0..count {
             wo.set(i, &hemisphere(rng).as_vec3().to_array());
@@ -97,11 +100,16 @@ impl Inputs {
             .collect()
     }
 
-    pub fn evaluated(&self, bsdf: &Bsdf, count: usize) -> Vec<([f32; 3], f32)> {
+    pub fn evaluated(&self, bsdf: &Bsdf, count: usize) -> Vec<Evaluation> {
         let single = |i| {
             let [wo, wi] = [&self.wo, &self.wi].map(|array| Vec3::from(array.get(i)));
             let varying = self.numbers(i);
-            bsdf.value_pdf(wo, wi, (!varying.is_empty()).then_some(&varying))
+            bsdf.evaluate(
+                wo,
+                wi,
+                (!varying.is_empty()).then_some(&varying),
+                &Call::default(),
+            )
         };
         (0..count).map(single).collect()
     }

@@ -5,6 +5,7 @@
 use super::batch_inputs::*;
 use crate::common::films::{bare, compiled, constant};
 use crate::strided::{Array, LAYOUTS, Layout};
+use pellicle::Call;
 use pellicle::batch::{
     ConstView, EvalArgs, FilmArgs, SampleArgs, View, eval, film_reflectance, sample,
 };
@@ -70,19 +71,21 @@ fn check_eval_in_place(
     let pdf = scalar.array(&mut inputs, false).view();
     let args = EvalArgs {
         count,
+        call: Call::default(),
         wo: inputs.wo.const_view(),
         wi: inputs.wi.const_view(),
         varying: &inputs.views(),
         value,
         pdf,
+        pdf_reverse: NOT_WANTED,
     };
     // SAFETY: all views are of arrays of `count` elements.
     unsafe { eval(&subject.bsdf, &args, level) }.unwrap();
     for (i, expected) in expected.iter().enumerate() {
         let value = vector.array(&mut inputs, false).get(i);
-        assert_eq!(bits(value), bits(expected.0), "{what}, {i}");
+        assert_eq!(bits(value), bits(expected.value), "{what}, {i}");
         let pdf = inputs.varying[0].get(i);
-        assert_eq!(bits(pdf), bits([expected.1]), "{what}, {i}");
+        assert_eq!(bits(pdf), bits([expected.pdf]), "{what}, {i}");
     }
 }
 
@@ -101,6 +104,7 @@ fn check_sample_in_place(
     let lobe = scalar.array(&mut inputs, true).view();
     let args = SampleArgs {
         count,
+        call: Call::default(),
         wo: inputs.wo.const_view(),
         u: inputs.u.const_view(),
         varying: &inputs.views(),
@@ -114,6 +118,7 @@ fn check_sample_in_place(
             component_stride: 0,
         },
         lobe,
+        lobe_probability: NOT_WANTED,
     };
     // SAFETY: all views are of arrays of `count` elements.
     unsafe { sample(&subject.bsdf, &args, level) }.unwrap();

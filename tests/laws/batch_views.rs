@@ -7,6 +7,7 @@ use super::batch_inputs::*;
 use crate::common::films::{bare, constant};
 use crate::common::rng;
 use crate::strided::{Array, BROADCAST, LAYOUTS, Layout};
+use pellicle::Call;
 use pellicle::batch::{EvalArgs, FilmArgs, SampleArgs, eval, film_reflectance, sample};
 use pellicle::film::{Film, FilmDescription};
 use pellicle::num::Level;
@@ -36,26 +37,28 @@ fn values_go_through_every_view() {
         let expected = inputs.evaluated(&subject.bsdf, count);
         for level in Level::all() {
             let mut value = Array::new(output, count, 3);
-            let mut pdf = Array::new(output, count, 1);
+            let [mut pdf, mut reverse] = [(); 2].map(|()| Array::new(output, count, 1));
             let args = EvalArgs {
                 count,
+                call: Call::default(),
                 wo: inputs.wo.const_view(),
                 wi: inputs.wi.const_view(),
                 varying: &inputs.views(),
                 value: value.view(),
                 pdf: pdf.view(),
+                pdf_reverse: reverse.view(),
             };
             // SAFETY: all views are of arrays of `count` elements.
             unsafe { eval(&subject.bsdf, &args, level) }.unwrap();
             let what = format!("{}: {count} {} -> {}", level.name(), input.0, output.0);
             for (i, expected) in expected.iter().enumerate() {
-                assert_eq!(bits(value.get(i)), bits(expected.0), "{what}, {i}");
-                assert_eq!(bits(pdf.get(i)), bits([expected.1]), "{what}, {i}");
+                assert_eq!(bits(value.get(i)), bits(expected.value), "{what}, {i}");
+                assert_eq!(bits(pdf.get(i)), bits([expected.pdf]), "{what}, {i}");
+                let found = bits(reverse.get(i));
+                assert_eq!(found, bits([expected.pdf_reverse]), "{what}, {i}");
             }
-            assert!(
-                value.rest_is_untouched() && pdf.rest_is_untouched(),
-                "{what}"
-            );
+            let mut outputs = [&value, &pdf, &reverse].into_iter();
+            assert!(outputs.all(Array::rest_is_untouched), "{what}");
         }
     });
 }
@@ -67,10 +70,11 @@ fn samples_go_through_every_view() {
         let expected = inputs.sampled(&subject.bsdf, count);
         for level in Level::all() {
             let [mut wi, mut weight] = [(); 2].map(|()| Array::new(output, count, 3));
-            let mut numbers = [(); 4].map(|()| Array::new(output, count, 1));
-            let [pdf, eta, flags, lobe] = &mut numbers;
+            let mut numbers = [(); 5].map(|()| Array::new(output, count, 1));
+            let [pdf, eta, flags, lobe, probability] = &mut numbers;
             let args = SampleArgs {
                 count,
+                call: Call::default(),
                 wo: inputs.wo.const_view(),
                 u: inputs.u.const_view(),
                 varying: &inputs.views(),
@@ -80,6 +84,7 @@ fn samples_go_through_every_view() {
                 eta: eta.view(),
                 flags: flags.view(),
                 lobe: lobe.view(),
+                lobe_probability: probability.view(),
             };
             // SAFETY: all views are of arrays of `count` elements.
             unsafe { sample(&subject.bsdf, &args, level) }.unwrap();
@@ -87,10 +92,17 @@ fn samples_go_through_every_view() {
             for (i, expected) in expected.iter().enumerate() {
                 assert_eq!(bits(wi.get(i)), bits(expected.wi.to_array()), "{what}, {i}");
                 assert_eq!(bits(weight.get(i)), bits(expected.weight), "{what}, {i}");
-                let found = [&numbers[0], &numbers[1], &numbers[2], &numbers[3]];
-                let [pdf, eta] = bits([expected.pdf, expected.eta]);
-                let expected = [pdf, eta, expected.flags.0, expected.lobe as u32];
-                assert_eq!(found.map(|array| array.bits(i, 0)), expected, "{what}, {i}");
+                let [pdf, eta, probability] =
+                    bits([expected.pdf, expected.eta, expected.lobe_probability]);
+                let expected = [
+                    pdf,
+                    eta,
+                    expected.flags.0,
+                    expected.lobe as u32,
+                    probability,
+                ];
+                let found = numbers.each_ref().map(|array| array.bits(i, 0));
+                assert_eq!(found, expected, "{what}, {i}");
             }
             let mut outputs = [&wi, &weight].into_iter().chain(&numbers);
             assert!(outputs.all(Array::rest_is_untouched), "{what}");

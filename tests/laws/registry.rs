@@ -343,7 +343,7 @@ fn registry_fits_the_interface() {
         assert!(entry.info.lobes.len() <= pellicle::bsdf::MAX_LOBES);
         if let Some(thickness) = entry.info.film_thickness {
             let param = &entry.info.params[thickness];
-            assert_eq!((param.name(), param.unit), ("thickness_nm", c"nm"));
+            assert_eq!((param.name(), param.unit), ("thickness_nm", "nm"));
             assert!(param.can_vary && param.components() == 1);
         }
         for param in entry.info.params {

@@ -7,8 +7,9 @@ use crate::common::{
     Drawn, Variation, combinations, hemisphere, is_dirac, parallel, rng, uniforms,
 };
 use glam::{DVec3, Vec3};
+use pellicle::bsdf::Precision;
 use pellicle::bsdf::{RegisteredModel, models};
-use pellicle::{Bsdf, Sample, Scalar};
+use pellicle::{Bsdf, Sample};
 use rand_pcg::Pcg64Mcg;
 
 /// Draws of each model at the least; more where it has more combinations of choices.
@@ -30,7 +31,7 @@ const SINGLE_TOLERANCE: f64 = 1e-2;
 
 fn tolerance(drawn: &Drawn) -> f64 {
     let gives_back = match drawn.entry.name() {
-        "microfacet" => drawn.choice("energy_compensation") == c"on",
+        "microfacet" => drawn.choice("energy_compensation") == "on",
         name => name == "metallic_roughness",
     };
     if gives_back {
@@ -63,7 +64,7 @@ struct Results {
     sample: Option<([f64; 3], [f64; 3], f64, usize)>,
 }
 
-fn call<T: Scalar>(bsdf: &Bsdf<T>, call: &Call, varying: Option<&[f32]>) -> Results
+fn call<T: Precision>(bsdf: &Bsdf<T>, call: &Call, varying: Option<&[f32]>) -> Results
 where
     f64: From<T>,
 {

@@ -71,9 +71,7 @@ impl Case {
                 return 0;
             };
             let given = self.choices.iter().find(|(name, _)| *name == param.name());
-            let is_given = |choice: &std::ffi::CStr| {
-                given.is_some_and(|given| choice.to_bytes() == given.1.as_bytes())
-            };
+            let is_given = |choice: &str| given.is_some_and(|given| choice == given.1);
             choices
                 .iter()
                 .position(|choice| is_given(choice))

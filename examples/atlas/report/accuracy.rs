@@ -203,7 +203,7 @@ fn shading(models: &Models) -> String {
         ];
         for (law, exception) in exceptions {
             if let Some(exception) = exception {
-                let reason = exception.reason.to_string_lossy();
+                let reason = exception.reason;
                 writeln!(out, "- `{}` is {law} for {reason}.", entry.name()).unwrap();
             }
         }

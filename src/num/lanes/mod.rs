@@ -1,11 +1,11 @@
-//! The SIMD types. Of them only [`F64x4`] is named outside this folder.
+//! The SIMD types. Only [`F64x4`] is named outside this folder.
 
 mod dispatch;
 mod f32_lanes;
 mod f64x4;
+mod instructions;
 mod level;
 mod look_up;
-mod quad_ops;
 #[cfg(target_arch = "x86_64")]
 mod rgb_sse2;
 

@@ -89,7 +89,7 @@ impl Variant {
                     let chosen = self.choices[index];
                     let chosen = chosen.unwrap_or_else(|| rng.random_range(0..choices.len()));
                     values.set_choice(index, chosen);
-                    let choice = choices[chosen].to_str().unwrap();
+                    let choice = choices[chosen];
                     text += &format!(", {} {choice}", param.name());
                     description = description.choose(param.name(), choice);
                 }

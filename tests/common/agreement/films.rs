@@ -30,7 +30,7 @@ enum Truth {
 
 /// Of all methods.
 pub fn names() -> [&'static str; METHODS.len()] {
-    METHODS.map(|name| name.to_str().unwrap())
+    METHODS
 }
 
 /// Films of every method.
@@ -158,7 +158,7 @@ impl Subject {
         format!(
             "indices {} at 550 nm, cosine {cos_theta:e}, {thickness_nm} nm, {}: {what}",
             indices.join(" / "),
-            self.film.plan().reason.to_string_lossy()
+            self.film.plan().reason
         )
     }
 
@@ -236,7 +236,7 @@ impl Subject {
 
 /// The method and size that a plan's reason begins with.
 fn kind(film: &Film) -> Kind {
-    let reason = film.plan().reason.to_str().unwrap();
+    let reason = film.plan().reason.as_str();
     let sizes = 1..=256;
     let sized = sizes.flat_map(|n| {
         [

@@ -66,7 +66,7 @@ impl Variant {
             if let (ParamKind::Choice { choices: all }, Some(choice)) =
                 (&param_info.kind, choices[param])
             {
-                let choice = all[choice].to_str().unwrap();
+                let choice = all[choice];
                 let is_switch = ["on", "off", "none"].contains(&choice);
                 let shown = match (is_switch, name.len() == entry.name().len()) {
                     (true, _) => format!(" {} {choice}", param_info.name()),

@@ -122,7 +122,7 @@ impl Map {
         let compiled = contender.compile(scene, x);
         match &compiled {
             Compiled::Film(film) => {
-                let method = film.plan().method.to_string_lossy().into_owned();
+                let method = film.plan().method.to_owned();
                 if !self.methods.contains(&method) {
                     self.methods.push(method);
                 }

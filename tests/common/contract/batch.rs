@@ -335,7 +335,6 @@ fn sample(subject: &Subject, count: usize, bytes: &mut Bytes) {
 
 fn film(count: usize, bytes: &mut Bytes) {
     let film = super::subjects::film(bytes.index(256));
-    let film: *const PellicleFilm = std::sync::Arc::as_ptr(film).cast();
     let mut column = |min, max| {
         let mut array = Array::new(bytes, count, 1, false);
         (0..count).for_each(|i| array.set(i, 0, bytes.number(min, max)));

@@ -7,9 +7,7 @@ use super::subjects::{Subject, film};
 use super::texts::Texts;
 use pellicle::bsdf::{ModelInfo, ParamKind, models};
 use pellicle::capi::*;
-use std::ffi::CStr;
 use std::ptr::null;
-use std::sync::Arc;
 
 /// Every documented failure of creation.
 const FAILURES: [PellicleStatus; 5] = [
@@ -55,8 +53,8 @@ pub fn run(data: &[u8]) {
         },
         varying_count: ranges.len(),
         film: match bytes.byte() % 4 {
-            0 => Arc::as_ptr(film(bytes.index(256))).cast(),
-            _ if info.name == c"film" => Arc::as_ptr(film(bytes.index(256))).cast(),
+            0 => film(bytes.index(256)),
+            _ if info.name == "film" => film(bytes.index(256)),
             _ => null(),
         },
     };
@@ -94,7 +92,7 @@ pub fn run(data: &[u8]) {
     }
 }
 
-fn names(info: &'static ModelInfo) -> Vec<&'static CStr> {
+fn names(info: &'static ModelInfo) -> Vec<&'static str> {
     info.params.iter().map(|param| param.name).collect()
 }
 
@@ -107,7 +105,7 @@ fn param(
 ) -> PellicleParam {
     let known = &info.params[bytes.index(info.params.len())];
     let name = match bytes.byte() {
-        0..240 => known.name.as_ptr(),
+        0..240 => texts.keep(known.name),
         _ => texts.name(bytes, &names(info)),
     };
     let (mut values, mut count, mut choice) = ([0.0; 4], known.components(), null());
@@ -123,7 +121,7 @@ fn param(
         200..230 => count = 1,
         230..250 => count = bytes.index(5),
         250..253 => count = bytes.word() as usize | 4,
-        _ => choice = texts.name(bytes, &[c"ggx", c"film", c"paper"]),
+        _ => choice = texts.name(bytes, &["ggx", "film", "paper"]),
     }
     numbers.push(values);
     PellicleParam {
@@ -150,7 +148,7 @@ fn range(bytes: &mut Bytes, texts: &mut Texts, info: &'static ModelInfo) -> (usi
         _ => [bytes.number(min, max), bytes.number(min, max)],
     };
     let name = match bytes.byte() {
-        0..250 => known.name.as_ptr(),
+        0..250 => texts.keep(known.name),
         _ => texts.name(bytes, &names(info)),
     };
     let range = PellicleRange {

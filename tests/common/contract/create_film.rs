@@ -9,11 +9,9 @@ use pellicle::film::METHODS;
 use std::ffi::CStr;
 use std::ptr::null;
 
-const MEDIA: [&CStr; 8] = [
-    c"air", c"SiO2", c"TiO2", c"Au", c"bk7", c"H2O", c"Si", c"Al",
-];
-const WHITES: [&CStr; 2] = [c"E", c"D65"];
-const SPACES: [&CStr; 4] = [c"rec709", c"rec2020", c"acescg", c"xyz"];
+const MEDIA: [&str; 8] = ["air", "SiO2", "TiO2", "Au", "bk7", "H2O", "Si", "Al"];
+const WHITES: [&str; 2] = ["E", "D65"];
+const SPACES: [&str; 4] = ["rec709", "rec2020", "acescg", "xyz"];
 
 const MOST_LAYERS: usize = 3;
 const MOST_THICKNESS_NM: f32 = 800.0;

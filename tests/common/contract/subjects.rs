@@ -6,9 +6,9 @@ use super::super::common::{Drawn, combinations};
 use pellicle::Bsdf;
 use pellicle::bsdf::models;
 use pellicle::capi::*;
-use pellicle::film::{Film, FilmDescription};
+use pellicle::film::FilmDescription;
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 
 /// A handle with what the interface tells of it.
 #[derive(Clone, Copy)]
@@ -18,6 +18,12 @@ pub struct Subject<'a> {
     /// Of each varying parameter: how many components, and their range.
     pub varying: &'a [(usize, [f32; 2])],
 }
+
+/// A film's handle, which lives as long as the program.
+struct Handle(*const PellicleFilm);
+
+// SAFETY: handles are shared freely between threads.
+unsafe impl Send for Handle {}
 
 // SAFETY: handles are shared freely between threads.
 unsafe impl Send for Subject<'_> {}
@@ -37,8 +43,7 @@ pub fn subject(number: u16) -> Subject<'static> {
 fn make((model, combination, varies): (usize, u64, bool)) -> Subject<'static> {
     let entry = &models()[model];
     let (description, varying) = Drawn::new(entry, combination).varying(|| varies);
-    let bsdf = Arc::new(Bsdf::<f32>::new(&description).unwrap());
-    let bsdf: *const PellicleBsdf = Arc::into_raw(bsdf).cast();
+    let bsdf = bsdf_handle(Bsdf::new(&description).unwrap());
     // SAFETY: plain numbers and pointers, for which 0 is valid; the handle is alive.
     let info = unsafe {
         let mut info = std::mem::zeroed();
@@ -55,11 +60,11 @@ fn make((model, combination, varies): (usize, u64, bool)) -> Subject<'static> {
 
 /// A film: tables, curves, methods for one layer, a bare base; none that the reference answers for, whose
 /// colours take half a millisecond.
-pub fn film(number: usize) -> &'static Arc<Film> {
-    static MADE: Mutex<BTreeMap<usize, &'static Arc<Film>>> = Mutex::new(BTreeMap::new());
+pub fn film(number: usize) -> *const PellicleFilm {
+    static MADE: Mutex<BTreeMap<usize, Handle>> = Mutex::new(BTreeMap::new());
     let number = number % (Kind::QUICK.len() + 3);
     let mut made = MADE.lock().unwrap();
-    made.entry(number).or_insert_with(|| {
+    let made = made.entry(number).or_insert_with(|| {
         let film = match number.checked_sub(Kind::QUICK.len()) {
             None => Kind::QUICK[number].film(),
             Some(0) => films::compiled(&films::bare(films::medium("Si"))),
@@ -73,6 +78,7 @@ pub fn film(number: usize) -> &'static Arc<Film> {
                 ..films::tinted()
             }),
         };
-        Box::leak(Box::new(film))
-    })
+        Handle(film_handle(film))
+    });
+    made.0
 }

@@ -33,7 +33,7 @@ pub fn greatest_weight(drawn: &Drawn, wo: Vec3, wi: Vec3, eta: f32) -> f32 {
 
 fn is_by_visible_normals(drawn: &Drawn) -> bool {
     let distribution = drawn.choice("distribution");
-    (distribution == c"ggx" || distribution == c"beckmann")
-        && drawn.choice("masking") == c"smith"
-        && drawn.choice("energy_compensation") == c"off"
+    (distribution == "ggx" || distribution == "beckmann")
+        && drawn.choice("masking") == "smith"
+        && drawn.choice("energy_compensation") == "off"
 }

@@ -30,7 +30,7 @@ pub fn run(settings: &Settings, number: usize, tally: &mut Tally) {
     let range = stack.varying_nm().unwrap_or([0.0; 2]);
     let levels = Level::all();
     let level = levels[number % levels.len()];
-    let is_slow = film.plan().method == c"reference";
+    let is_slow = film.plan().method == "reference";
     let (batches, elements) = if is_slow {
         (1, SLOW_ELEMENTS)
     } else {

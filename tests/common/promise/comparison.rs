@@ -64,7 +64,7 @@ pub fn check(
         number,
         both_sides: stack.both_sides,
         tolerance,
-        method: plan.method.to_str().unwrap().to_owned(),
+        method: plan.method.to_owned(),
         bytes: plan.bytes,
         compile_time,
         points: 0,

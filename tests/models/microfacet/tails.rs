@@ -3,7 +3,8 @@
 
 use crate::common::calls::Calls;
 use glam::DVec3;
-use pellicle::{Bsdf, Description, Scalar};
+use pellicle::bsdf::Precision;
+use pellicle::{Bsdf, Description};
 use std::f64::consts::PI;
 
 pub const ALPHAS: [f32; 7] = [1e-4, 1e-3, 0.01, 0.1, 0.3, 0.6, 1.0];
@@ -31,7 +32,7 @@ impl Surface {
         kinds.into_iter().flat_map(of)
     }
 
-    pub fn bsdf<T: Scalar>(&self, masking: &str) -> Bsdf<T> {
+    pub fn bsdf<T: Precision>(&self, masking: &str) -> Bsdf<T> {
         let description = Description::new("microfacet")
             .choose("distribution", self.distribution)
             .choose("masking", masking)
@@ -45,7 +46,7 @@ impl Surface {
         Bsdf::new(&description).unwrap()
     }
 
-    pub fn density<T: Scalar>(&self) -> impl Fn(T::Vector) -> T {
+    pub fn density<T: Precision>(&self) -> impl Fn(T::Vector) -> T {
         let bsdf = self.bsdf::<T>("implicit");
         // f = D F G / (4 (n.l)(n.v)) with G = (n.l)(n.v); the value has one more n.l.
         move |h| {
@@ -56,7 +57,7 @@ impl Surface {
 
     /// G1 of directions of an elevation: with wi mirrored from wo, h is the normal and
     /// G = 1 / (1 + 2 Lambda).
-    pub fn masking<T: Scalar>(&self) -> impl Fn(T::Vector) -> T {
+    pub fn masking<T: Precision>(&self) -> impl Fn(T::Vector) -> T {
         let [smith, implicit] = ["smith", "implicit"].map(|masking| self.bsdf::<T>(masking));
         move |wo| {
             let [x, y, z] = wo.into();

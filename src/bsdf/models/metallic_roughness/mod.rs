@@ -33,12 +33,12 @@
 
 mod surface;
 
+use crate::bsdf::compiled::kernel;
 use crate::bsdf::info::{LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::Mixture;
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
-use surface::Prepared;
+use surface::CompiledMaterial;
 
 /// The model; see the module's documentation.
 pub struct MetallicRoughness;
@@ -64,24 +64,57 @@ const SPECULAR_LOBE: usize = 1;
 
 impl Model for MetallicRoughness {
     const INFO: ModelInfo = ModelInfo {
-        name: c"metallic_roughness",
-        summary: c"Base colour, metallic and roughness: a GGX highlight over a diffuse part that gets what it leaves.",
-        source: c"Burley 2012; Walter et al. 2007; Heitz 2014; Kelemen and Szirmay-Kalos 2001, section 2.2",
+        name: "metallic_roughness",
+        summary: "Base colour, metallic and roughness: a GGX highlight over a diffuse part that gets what it leaves.",
+        source: "Burley 2012; Walter et al. 2007; Heitz 2014; Kelemen and Szirmay-Kalos 2001, section 2.2",
         params: &[
-            ParamInfo::rgb(c"base_color", c"Reflectance of a dielectric's diffuse part, F0 of a metal, RGB.", [0.0, 1.0], 0.5),
-            ParamInfo::number(c"metallic", c"0 a dielectric, 1 a metal.", [0.0, 1.0], 0.0),
-            ParamInfo::number(c"roughness", c"Of the highlight: its square is alpha, at least 1e-4.", [0.0, 1.0], 0.5),
-            ParamInfo::choice(c"specular", c"Whether eta or f0 gives the dielectric's reflectance.", &[c"index", c"f0"]),
-            ParamInfo::number(c"eta", c"Refractive index of the dielectric (specular index).", [1.0, 3.0], 1.5),
-            ParamInfo::number(c"f0", c"Reflectance of the dielectric at normal incidence (specular f0).", [0.0, 1.0], 0.04),
-            ParamInfo::choice(c"diffuse", c"Form of the diffuse part.", &[c"lambert", c"oren_nayar", c"disney"]),
-            ParamInfo::number(c"diffuse_roughness", c"Of the diffuse part: oren_nayar's sigma in radians, or disney's roughness.", [0.0, 1.0], 0.0),
+            ParamInfo::rgb(
+                "base_color",
+                "Reflectance of a dielectric's diffuse part, F0 of a metal, RGB.",
+                [0.0, 1.0],
+                0.5,
+            ),
+            ParamInfo::number("metallic", "0 a dielectric, 1 a metal.", [0.0, 1.0], 0.0),
+            ParamInfo::number(
+                "roughness",
+                "Of the highlight: its square is alpha, at least 1e-4.",
+                [0.0, 1.0],
+                0.5,
+            ),
+            ParamInfo::choice(
+                "specular",
+                "Whether eta or f0 gives the dielectric's reflectance.",
+                &["index", "f0"],
+            ),
+            ParamInfo::number(
+                "eta",
+                "Refractive index of the dielectric (specular index).",
+                [1.0, 3.0],
+                1.5,
+            ),
+            ParamInfo::number(
+                "f0",
+                "Reflectance of the dielectric at normal incidence (specular f0).",
+                [0.0, 1.0],
+                0.04,
+            ),
+            ParamInfo::choice(
+                "diffuse",
+                "Form of the diffuse part.",
+                &["lambert", "oren_nayar", "disney"],
+            ),
+            ParamInfo::number(
+                "diffuse_roughness",
+                "Of the diffuse part: oren_nayar's sigma in radians, or disney's roughness.",
+                [0.0, 1.0],
+                0.0,
+            ),
         ],
         lobes: &[LobeInfo::DIFFUSE, LobeInfo::SPECULAR],
         ..ModelInfo::PLAIN
     };
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared::new(values))))
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(CompiledMaterial::new(values)))
     }
 }

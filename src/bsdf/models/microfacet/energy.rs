@@ -23,8 +23,9 @@
 //!
 //! **Cost**: 105,560 samples of the lobe for all alphas, 7,540 for one.
 
-use super::distribution::Normals;
-use super::masking::{Masking, Pair};
+use super::half_vector::HalfVector;
+use super::masking::Masking;
+use super::ndf::Ndf;
 use crate::bsdf::precision::Precision;
 use crate::num::spline::{controls, weights};
 use crate::num::{Lane, Real, Rgb, TableBlock, TableEntry, Vec3, each};
@@ -77,20 +78,20 @@ pub(crate) struct Reflected<T> {
 impl<T: Lane> Reflected<T> {
     /// By the normals that the distribution draws.
     #[inline(always)]
-    pub fn by_normals<N: Normals<T>>(
-        normals: &N,
+    pub fn by_ndf<N: Ndf<T>>(
+        ndf: &N,
         masking: Masking,
         alpha: [T; 2],
         wo: Vec3<T>,
         u: [T; 2],
     ) -> Self {
         let zero = T::new(0.0);
-        let wi = wo.mirrored_about(normals.sample(wo, u));
+        let wi = wo.mirrored_about(ndf.sample(wo, u));
         let is_above = wi.z.gt(zero);
-        let pair = Pair::new(wo, Vec3::select(is_above, wi, wo));
-        let density = normals.reflected_density(&pair);
-        let value = normals.density_between(&pair)
-            * masking.factor(masking.of_normals(normals, &pair), alpha, &pair);
+        let pair = HalfVector::new(wo, Vec3::select(is_above, wi, wo));
+        let density = ndf.reflected_density(&pair);
+        let value =
+            ndf.density_between(&pair) * masking.factor(masking.of_ndf(ndf, &pair), alpha, &pair);
         let is_usable = is_above & density.gt(zero);
         let weight = value / T::select(is_usable, density, T::new(1.0));
         Self {

@@ -67,7 +67,7 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
 }
 
 /// What facets consist of, as compiled: the same kinds, owning the film.
-pub(super) enum Facets<T: Lane> {
+pub(super) enum CompiledFresnel<T: Lane> {
     /// [`Fresnel::Schlick`]
     Schlick { f0: T::Rgb, f90: T::Rgb },
     /// [`Fresnel::Dielectric`]
@@ -80,7 +80,7 @@ pub(super) enum Facets<T: Lane> {
     Film { film: Arc<Film>, thickness_nm: T },
 }
 
-impl<T: Precision> Facets<T> {
+impl<T: Precision> CompiledFresnel<T> {
     /// Of a named medium without a coating.
     pub fn of_metal(name: &str) -> Result<Self, Error> {
         let film = Film::new(&FilmDescription::new(Medium::named(name)?))?;

@@ -6,7 +6,7 @@ use super::{
     EXPONENT_TRANSMISSION, PHASE_SHIFT, PHASE_SHIFT_HALF_WAVE, SPECULAR_WEIGHT, THICKNESS_NM,
     VARIANT, VARIANT_PAPER,
 };
-use crate::bsdf::mixture::Surfaces;
+use crate::bsdf::compiled::Compiled;
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, each};
@@ -14,12 +14,12 @@ use crate::optics::{
     Interface, RGB_WAVELENGTHS_NM, normal_reflectance, schlick, schlick_transmittance,
 };
 
-/// The compiled model.
+/// The parameters, for one surface or one in each lane.
 ///
 /// What depends on the wavelength has the type [`Lane::Rgb`]: the formulas are written for one
 /// channel and hold for three at once.
 #[derive(Clone, Copy)]
-pub struct Prepared<T: Lane> {
+pub struct LayeredSurface<T: Lane> {
     pub(super) upper: Upper<T::Rgb>,
     /// Reflectance of the lower boundary.
     pub(super) base: T::Rgb,
@@ -85,7 +85,7 @@ impl<C: Real> Upper<C> {
 
 /// The three terms of the specular part, before the weights.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Terms<C> {
+pub(super) struct SpecularTerms<C> {
     /// R of eq. 6, or f_R.
     pub reflected: C,
     /// T of eq. 10, or f_T.
@@ -96,7 +96,7 @@ pub(super) struct Terms<C> {
     pub turns: C,
 }
 
-impl<C: Real> Terms<C> {
+impl<C: Real> SpecularTerms<C> {
     /// (R + T + 2 cos(2 Phi) sqrt(R T)) / 2: eq. 5.
     #[inline(always)]
     pub fn interference(&self) -> C {
@@ -130,13 +130,13 @@ impl<T: Lane> Shapes<T> {
     }
 }
 
-impl<T: Precision> Surfaces<T> for Prepared<T> {
-    type Surface<'a, L: Lane<Scalar = T>> = Prepared<L>;
+impl<T: Precision> Compiled<T> for LayeredSurface<T> {
+    type Surface<'a, L: Lane<Scalar = T>> = LayeredSurface<L>;
 
     #[inline(always)]
-    fn surface<L: Lane<Scalar = T>>(&self) -> Prepared<L> {
+    fn surface<L: Lane<Scalar = T>>(&self) -> LayeredSurface<L> {
         let [nx, ny, nz] = each!(self.base_normal.to_array(), |number| L::splat(number));
-        Prepared {
+        LayeredSurface {
             upper: Upper {
                 interface: self.upper.interface.map(L::splat_rgb),
                 f0: L::splat_rgb(self.upper.f0),
@@ -186,7 +186,7 @@ fn chosen((is_so, words): (bool, &'static str)) -> Option<&'static str> {
     is_so.then_some(words)
 }
 
-impl<T: Lane> Prepared<T> {
+impl<T: Lane> LayeredSurface<T> {
     pub(super) fn new(values: &Values<T>) -> Self
     where
         T: Precision,
@@ -214,7 +214,7 @@ impl<T: Lane> Prepared<T> {
             values.number(SPECULAR_WEIGHT),
             values.number(DIFFUSE_WEIGHT),
         );
-        let mut prepared = Self {
+        let mut surface = Self {
             upper: Upper {
                 interface,
                 f0: normal_reflectance(r0, r1),
@@ -245,8 +245,8 @@ impl<T: Lane> Prepared<T> {
                 diffuse: diffuse_weight > zero,
             },
         };
-        prepared.set_thickness(values.number(THICKNESS_NM));
-        prepared
+        surface.set_thickness(values.number(THICKNESS_NM));
+        surface
     }
 
     /// The diffuse part depends on the thickness alone, so it is kept with it: eq. 16,
@@ -350,7 +350,7 @@ impl<T: Lane> Prepared<T> {
         wo: Vec3<T>,
         wi: Vec3<T>,
         shapes: &Shapes<T>,
-    ) -> Terms<T::Rgb> {
+    ) -> SpecularTerms<T::Rgb> {
         let one = T::Rgb::new(1.0);
         let fresnel_i = schlick(upper.f0, wi.z.gray());
         let (fresnel, crossings) = if self.is_paper {
@@ -367,7 +367,7 @@ impl<T: Lane> Prepared<T> {
         // The root of the product by the lobes' roots: the product itself may be too small for a number.
         let roots = shapes.mirror_root.gray() * shapes.refracted_root;
         let transmitted = self.base * transmitted;
-        Terms {
+        SpecularTerms {
             reflected: reflected * shapes.mirror().gray(),
             transmitted: transmitted * shapes.refracted(),
             amplitude: roots * (reflected * transmitted).sqrt(),
@@ -383,7 +383,7 @@ impl<T: Lane> Prepared<T> {
 
     /// (ks rho + kd rho_d / pi) wi.z, or its counterpart in `energy`.
     #[inline(always)]
-    fn value(&self, terms: Option<&Terms<T::Rgb>>, wi: Vec3<T>) -> Rgb<T> {
+    fn value(&self, terms: Option<&SpecularTerms<T::Rgb>>, wi: Vec3<T>) -> Rgb<T> {
         let mut value = T::Rgb::new(0.0);
         if let Some(terms) = terms {
             // Full extinction may round below 0.

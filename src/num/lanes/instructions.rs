@@ -1,30 +1,43 @@
-//! Registers as quads: four numbers side by side, of which a register has one, two or four.
+//! Sets of SIMD instructions, and what table look-ups need of them.
 //!
-//! A table's entry fills a quad, so that one load fetches all its numbers. Place 4 q + n of a register is
-//! number n of quad q; the entries for the places n of all quads go into one register, and four of those
-//! transposed are one register for each of an entry's numbers, in the order of the places.
+//! A register is one, two or four quads of four numbers. A table entry fills a quad, so that one load
+//! fetches all its numbers. Lane 4 q + n of a register is number n of quad q. The entries for the lanes n
+//! of all quads go into one register; transposing four such registers gives one register for each of an
+//! entry's numbers, in the order of the lanes.
 
 #![allow(unsafe_code)]
 
-use super::f32_lanes::MOST;
 use fearless_simd::prelude::*;
 
-/// What is done within quads.
-pub(super) trait QuadOps: Simd {
-    /// In quad q the four numbers that start at entry `index[4 q + n]` of those that begin at `start`.
+/// The greatest number of lanes.
+pub(super) const MAX_LANES: usize = 16;
+
+/// A set of instructions.
+pub(super) trait Instructions: Simd {
+    /// Proves that the processor has them. Lanes exist only in code that [`super::Level::run`] started,
+    /// which has checked it.
+    const TOKEN: Self;
+    /// Whether they can round to whole numbers.
+    const ROUND: bool;
+    /// Loads into quad q the entry `index[4 q + n]` of the table that begins at `start`.
     ///
     /// # Safety
-    /// They must all be in one allocation, for every q that there is.
-    unsafe fn entries(self, start: *const [f32; 4], index: &[u32; MOST], n: usize) -> Self::f32s;
-    /// [`QuadOps::entries`] and the two entries after each.
+    /// For every quad q, the entry must be within the table.
+    unsafe fn entries(
+        self,
+        start: *const [f32; 4],
+        index: &[u32; MAX_LANES],
+        n: usize,
+    ) -> Self::f32s;
+    /// [`Instructions::entries`], and the two entries after each.
     ///
     /// # Safety
-    /// As there.
+    /// As for [`Instructions::entries`], for all three.
     #[inline(always)]
     unsafe fn three(
         self,
         start: *const [f32; 4],
-        index: &[u32; MOST],
+        index: &[u32; MAX_LANES],
         n: usize,
     ) -> [Self::f32s; 3] {
         // SAFETY: the caller's promise.
@@ -36,21 +49,31 @@ pub(super) trait QuadOps: Simd {
             ]
         }
     }
-    /// Number n of each quad in all its places, n from 0 to 3.
+    /// Copies number n of each quad into all four of its lanes, for n from 0 to 3.
     fn spread(self, numbers: Self::f32s) -> [Self::f32s; 4];
     /// Number n of each quad of register m becomes number m of the same quad of register n.
     fn transposed(self, rows: [Self::f32s; 4]) -> [Self::f32s; 4];
 }
 
+/// The constants that are written alike for all of them.
+macro_rules! token {
+    ($round:expr) => {
+        const ROUND: bool = $round;
+        // SAFETY: lanes of these instructions exist only where `Level::run` has found them.
+        const TOKEN: Self = unsafe { Self::assume_supported() };
+    };
+}
+
 macro_rules! one_quad {
-    ($($token:ident),*) => {
+    ($($token:ident: $round:expr),*) => {
         $(
-            impl QuadOps for fearless_simd::$token {
+            impl Instructions for fearless_simd::$token {
+                token!($round);
                 #[inline(always)]
                 unsafe fn entries(
                     self,
                     start: *const [f32; 4],
-                    index: &[u32; MOST],
+                    index: &[u32; MAX_LANES],
                     n: usize,
                 ) -> Self::f32s {
                     // SAFETY: the caller's promise.
@@ -83,9 +106,9 @@ macro_rules! one_quad {
 }
 
 #[cfg(target_arch = "x86_64")]
-one_quad!(Sse2);
+one_quad!(Sse2: false);
 #[cfg(target_arch = "aarch64")]
-one_quad!(Neon);
+one_quad!(Neon: true);
 
 /// The methods that differ in the width of the instructions alone.
 #[cfg(target_arch = "x86_64")]
@@ -124,17 +147,18 @@ macro_rules! wide_quads {
 
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
-    use super::{MOST, QuadOps};
+    use super::{Instructions, MAX_LANES};
     use fearless_simd::prelude::*;
     use fearless_simd::{Avx2, Avx512};
     use std::arch::x86_64::*;
 
-    impl QuadOps for Avx2 {
+    impl Instructions for Avx2 {
+        token!(true);
         #[inline(always)]
         unsafe fn entries(
             self,
             start: *const [f32; 4],
-            index: &[u32; MOST],
+            index: &[u32; MAX_LANES],
             n: usize,
         ) -> Self::f32s {
             // SAFETY: the caller's promise; the token proves the instructions.
@@ -144,12 +168,12 @@ mod x86_64 {
                 _mm256_insertf128_ps::<1>(first, _mm_loadu_ps(quad(1))).simd_into(self)
             }
         }
-        // With two entries to a load.
+        // One load fetches two entries.
         #[inline(always)]
         unsafe fn three(
             self,
             start: *const [f32; 4],
-            index: &[u32; MOST],
+            index: &[u32; MAX_LANES],
             n: usize,
         ) -> [Self::f32s; 3] {
             // SAFETY: the caller's promise; the token proves the instructions.
@@ -171,12 +195,13 @@ mod x86_64 {
         );
     }
 
-    impl QuadOps for Avx512 {
+    impl Instructions for Avx512 {
+        token!(true);
         #[inline(always)]
         unsafe fn entries(
             self,
             start: *const [f32; 4],
-            index: &[u32; MOST],
+            index: &[u32; MAX_LANES],
             n: usize,
         ) -> Self::f32s {
             // SAFETY: the caller's promise; the token proves the instructions.
@@ -188,12 +213,12 @@ mod x86_64 {
                 _mm512_insertf32x4::<3>(all, _mm_loadu_ps(quad(3))).simd_into(self)
             }
         }
-        // With two entries to a load.
+        // One load fetches two entries.
         #[inline(always)]
         unsafe fn three(
             self,
             start: *const [f32; 4],
-            index: &[u32; MOST],
+            index: &[u32; MAX_LANES],
             n: usize,
         ) -> [Self::f32s; 3] {
             // SAFETY: the caller's promise; the token proves the instructions.
