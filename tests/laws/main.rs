@@ -6,6 +6,7 @@ mod batch;
 mod batch_inputs;
 mod batch_overlaps;
 mod batch_views;
+mod call_options;
 mod chi_square;
 #[path = "../common/mod.rs"]
 mod common;
