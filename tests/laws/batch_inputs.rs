@@ -7,7 +7,8 @@ use crate::common::films::Kind;
 use crate::common::{hemisphere, rng, uniforms};
 use crate::strided::{Array, Layout};
 use glam::Vec3;
-use pellicle::batch::{ConstView, View};
+use pellicle::batch::{ConstView, EvalArgs, SampleArgs, View};
+use pellicle::bsdf::{ParamKind, Varying};
 use pellicle::{Bsdf, Call, Description, Evaluation, Sample};
 use rand::RngExt;
 
@@ -24,14 +25,8 @@ pub const NOT_WANTED: View = View {
     component_stride: 0,
 };
 
-/// A BSDF, and the range of each parameter that varies; a direction has none.
-pub struct Subject {
-    pub bsdf: Bsdf,
-    pub ranges: Vec<Option<[f32; 2]>>,
-}
-
 /// BSDFs in which nothing varies, a colour, several parameters; and one that batches call element by element.
-pub fn subjects() -> Vec<Subject> {
+pub fn subjects() -> [Bsdf; 4] {
     let lambert = Description::new("lambert").vary("reflectance", 0.0, 1.0);
     let microfacet = Description::new("microfacet").choose("distribution", "ggx");
     let layered = Description::new("layered")
@@ -41,21 +36,12 @@ pub fn subjects() -> Vec<Subject> {
     let film = Description::new("film")
         .film(Kind::Lens.film())
         .vary("thickness_nm", 0.0, 600.0);
-    let new = |description: &Description, ranges: &[Option<[f32; 2]>]| Subject {
-        bsdf: Bsdf::new(description).unwrap(),
-        ranges: ranges.to_vec(),
-    };
-    let unit = Some([0.0, 1.0]);
-    vec![
-        new(&microfacet, &[]),
-        new(&lambert, &[unit]),
-        new(&layered, &[Some([0.0, 800.0]), None, unit]),
-        new(&film, &[Some([0.0, 600.0])]),
-    ]
+    [microfacet, lambert, layered, film].map(|description| Bsdf::new(&description).unwrap())
 }
 
 /// The arrays that a batch reads.
 pub struct Inputs {
+    count: usize,
     pub wo: Array,
     pub wi: Array,
     pub u: Array,
@@ -63,30 +49,81 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    pub fn new(subject: &Subject, count: usize, layout: Layout) -> Self {
+    pub fn new(bsdf: &Bsdf, count: usize, layout: Layout) -> Self {
         let rng = &mut rng(count as u64);
         let [mut wo, mut wi, mut u] = [(); 3].map(|()| Array::new(layout, count, 3));
-        let components = subject
-            .bsdf
-            .varying()
-            .map(|varying| varying.param.components());
-        let mut varying: Vec<Array> = components.map(|c| Array::new(layout, count, c)).collect();
+        let params: Vec<_> = bsdf.varying().collect();
+        let array = |param: &Varying| Array::new(layout, count, param.param.components());
+        let mut varying: Vec<Array> = params.iter().map(array).collect();
         for i in 0..count {
             wo.set(i, &hemisphere(rng).as_vec3().to_array());
             wi.set(i, &hemisphere(rng).as_vec3().to_array());
             u.set(i, &uniforms(rng));
-            for (array, range) in varying.iter_mut().zip(&subject.ranges) {
-                let numbers: Vec<f32> = match range {
-                    Some([min, max]) => {
-                        let number = |_| min + (max - min) * rng.random::<f32>();
-                        (0..array.numbers(i).len()).map(number).collect()
+            for (array, param) in varying.iter_mut().zip(&params) {
+                let numbers: Vec<f32> = match param.param.kind {
+                    ParamKind::Direction { .. } => hemisphere(rng).as_vec3().to_array().to_vec(),
+                    _ => {
+                        let number =
+                            |_: &f32| param.min + (param.max - param.min) * rng.random::<f32>();
+                        param.defaults.iter().map(number).collect()
                     }
-                    None => hemisphere(rng).as_vec3().to_array().to_vec(),
                 };
                 array.set(i, &numbers);
             }
         }
-        Self { wo, wi, u, varying }
+        Self {
+            count,
+            wo,
+            wi,
+            u,
+            varying,
+        }
+    }
+
+    /// A batch of values over these arrays, into views.
+    pub fn eval_args<'a>(
+        &self,
+        varying: &'a [ConstView],
+        value: View,
+        [pdf, pdf_reverse]: [View; 2],
+    ) -> EvalArgs<'a> {
+        EvalArgs {
+            count: self.count,
+            call: Call::default(),
+            wo: self.wo.const_view(),
+            wi: self.wi.const_view(),
+            varying,
+            value,
+            pdf,
+            pdf_reverse,
+        }
+    }
+
+    /// A batch of samples over these arrays: directions and lobes into views, nothing else.
+    pub fn sample_args<'a>(
+        &self,
+        varying: &'a [ConstView],
+        wi: View,
+        lobe: View<u32>,
+    ) -> SampleArgs<'a> {
+        SampleArgs {
+            count: self.count,
+            call: Call::default(),
+            wo: self.wo.const_view(),
+            u: self.u.const_view(),
+            varying,
+            wi,
+            pdf: NOT_WANTED,
+            weight: NOT_WANTED,
+            eta: NOT_WANTED,
+            flags: View {
+                data: std::ptr::null_mut(),
+                element_stride: 0,
+                component_stride: 0,
+            },
+            lobe,
+            lobe_probability: NOT_WANTED,
+        }
     }
 
     pub fn views(&self) -> Vec<ConstView> {
@@ -100,7 +137,7 @@ impl Inputs {
             .collect()
     }
 
-    pub fn evaluated(&self, bsdf: &Bsdf, count: usize) -> Vec<Evaluation> {
+    pub fn evaluated(&self, bsdf: &Bsdf) -> Vec<Evaluation> {
         let single = |i| {
             let [wo, wi] = [&self.wo, &self.wi].map(|array| Vec3::from(array.get(i)));
             let varying = self.numbers(i);
@@ -111,15 +148,15 @@ impl Inputs {
                 &Call::default(),
             )
         };
-        (0..count).map(single).collect()
+        (0..self.count).map(single).collect()
     }
 
-    pub fn sampled(&self, bsdf: &Bsdf, count: usize) -> Vec<Sample> {
+    pub fn sampled(&self, bsdf: &Bsdf) -> Vec<Sample> {
         let single = |i| {
             let [wo, u] = [&self.wo, &self.u].map(|array| Vec3::from(array.get(i)));
             let varying = self.numbers(i);
             bsdf.sampled(wo, u, (!varying.is_empty()).then_some(&varying))
         };
-        (0..count).map(single).collect()
+        (0..self.count).map(single).collect()
     }
 }

@@ -5,10 +5,8 @@
 use super::batch_inputs::*;
 use crate::common::films::{bare, compiled, constant};
 use crate::strided::{Array, LAYOUTS, Layout};
-use pellicle::Call;
-use pellicle::batch::{
-    ConstView, EvalArgs, FilmArgs, SampleArgs, View, eval, film_reflectance, sample,
-};
+use pellicle::Bsdf;
+use pellicle::batch::{ConstView, FilmArgs, View, eval, film_reflectance, sample};
 use pellicle::num::Level;
 
 /// The input whose memory an output uses.
@@ -41,15 +39,15 @@ const IN_PLACE: [[Over; 2]; 4] = [
 
 #[test]
 fn outputs_may_take_the_place_of_inputs() {
-    // The subject in which a scalar, a direction and a colour vary.
-    let subject = &subjects()[2];
+    // The BSDF in which a scalar, a direction and a colour vary.
+    let bsdf = &subjects()[2];
     for layout in LAYOUTS {
         for count in COUNTS {
             for level in Level::all() {
                 for [vector, scalar] in IN_PLACE {
                     let what = format!("{}: {count} {} {vector:?}", level.name(), layout.0);
-                    check_eval_in_place(subject, count, layout, level, vector, scalar, &what);
-                    check_sample_in_place(subject, count, layout, level, vector, scalar, &what);
+                    check_eval_in_place(bsdf, count, layout, level, vector, scalar, &what);
+                    check_sample_in_place(bsdf, count, layout, level, vector, scalar, &what);
                 }
             }
         }
@@ -57,7 +55,7 @@ fn outputs_may_take_the_place_of_inputs() {
 }
 
 fn check_eval_in_place(
-    subject: &Subject,
+    bsdf: &Bsdf,
     count: usize,
     layout: Layout,
     level: Level,
@@ -65,22 +63,14 @@ fn check_eval_in_place(
     scalar: Over,
     what: &str,
 ) {
-    let mut inputs = Inputs::new(subject, count, layout);
-    let expected = inputs.evaluated(&subject.bsdf, count);
+    let mut inputs = Inputs::new(bsdf, count, layout);
+    let expected = inputs.evaluated(bsdf);
     let value = vector.array(&mut inputs, false).view();
     let pdf = scalar.array(&mut inputs, false).view();
-    let args = EvalArgs {
-        count,
-        call: Call::default(),
-        wo: inputs.wo.const_view(),
-        wi: inputs.wi.const_view(),
-        varying: &inputs.views(),
-        value,
-        pdf,
-        pdf_reverse: NOT_WANTED,
-    };
+    let varying = inputs.views();
+    let args = inputs.eval_args(&varying, value, [pdf, NOT_WANTED]);
     // SAFETY: all views are of arrays of `count` elements.
-    unsafe { eval(&subject.bsdf, &args, level) }.unwrap();
+    unsafe { eval(bsdf, &args, level) }.unwrap();
     for (i, expected) in expected.iter().enumerate() {
         let value = vector.array(&mut inputs, false).get(i);
         assert_eq!(bits(value), bits(expected.value), "{what}, {i}");
@@ -90,7 +80,7 @@ fn check_eval_in_place(
 }
 
 fn check_sample_in_place(
-    subject: &Subject,
+    bsdf: &Bsdf,
     count: usize,
     layout: Layout,
     level: Level,
@@ -98,30 +88,14 @@ fn check_sample_in_place(
     scalar: Over,
     what: &str,
 ) {
-    let mut inputs = Inputs::new(subject, count, layout);
-    let expected = inputs.sampled(&subject.bsdf, count);
+    let mut inputs = Inputs::new(bsdf, count, layout);
+    let expected = inputs.sampled(bsdf);
     let wi = vector.array(&mut inputs, true).view();
     let lobe = scalar.array(&mut inputs, true).view();
-    let args = SampleArgs {
-        count,
-        call: Call::default(),
-        wo: inputs.wo.const_view(),
-        u: inputs.u.const_view(),
-        varying: &inputs.views(),
-        wi,
-        pdf: NOT_WANTED,
-        weight: NOT_WANTED,
-        eta: NOT_WANTED,
-        flags: View {
-            data: std::ptr::null_mut(),
-            element_stride: 0,
-            component_stride: 0,
-        },
-        lobe,
-        lobe_probability: NOT_WANTED,
-    };
+    let varying = inputs.views();
+    let args = inputs.sample_args(&varying, wi, lobe);
     // SAFETY: all views are of arrays of `count` elements.
-    unsafe { sample(&subject.bsdf, &args, level) }.unwrap();
+    unsafe { sample(bsdf, &args, level) }.unwrap();
     for (i, expected) in expected.iter().enumerate() {
         let wi = vector.array(&mut inputs, true).get(i);
         assert_eq!(bits(wi), bits(expected.wi.to_array()), "{what}, {i}");

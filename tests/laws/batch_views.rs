@@ -7,22 +7,22 @@ use super::batch_inputs::*;
 use crate::common::films::{bare, constant};
 use crate::common::rng;
 use crate::strided::{Array, BROADCAST, LAYOUTS, Layout};
-use pellicle::Call;
-use pellicle::batch::{EvalArgs, FilmArgs, SampleArgs, eval, film_reflectance, sample};
+use pellicle::Bsdf;
+use pellicle::batch::{FilmArgs, SampleArgs, eval, film_reflectance, sample};
 use pellicle::film::{Film, FilmDescription};
 use pellicle::num::Level;
 use rand::RngExt;
 
-/// Calls `check` with every subject, count, and pair of layouts of inputs and outputs; inputs may be one
+/// Calls `check` with every BSDF, count, and pair of layouts of inputs and outputs; inputs may be one
 /// element for all.
-fn for_every_view(check: impl Fn(&Subject, usize, Layout, Layout)) {
-    for subject in subjects() {
+fn for_every_view(check: impl Fn(&Bsdf, usize, Layout, Layout)) {
+    for bsdf in subjects() {
         for count in COUNTS {
             for input in LAYOUTS.into_iter().chain([BROADCAST]) {
                 for output in LAYOUTS {
                     // Every layout is met as an input and as an output, not every pair of them.
                     if input.0 == output.0 || input.0 == "elements" || output.0 == "planes" {
-                        check(&subject, count, input, output);
+                        check(&bsdf, count, input, output);
                     }
                 }
             }
@@ -32,24 +32,16 @@ fn for_every_view(check: impl Fn(&Subject, usize, Layout, Layout)) {
 
 #[test]
 fn values_go_through_every_view() {
-    for_every_view(|subject, count, input, output| {
-        let inputs = Inputs::new(subject, count, input);
-        let expected = inputs.evaluated(&subject.bsdf, count);
+    for_every_view(|bsdf, count, input, output| {
+        let inputs = Inputs::new(bsdf, count, input);
+        let expected = inputs.evaluated(bsdf);
         for level in Level::all() {
             let mut value = Array::new(output, count, 3);
             let [mut pdf, mut reverse] = [(); 2].map(|()| Array::new(output, count, 1));
-            let args = EvalArgs {
-                count,
-                call: Call::default(),
-                wo: inputs.wo.const_view(),
-                wi: inputs.wi.const_view(),
-                varying: &inputs.views(),
-                value: value.view(),
-                pdf: pdf.view(),
-                pdf_reverse: reverse.view(),
-            };
+            let varying = inputs.views();
+            let args = inputs.eval_args(&varying, value.view(), [pdf.view(), reverse.view()]);
             // SAFETY: all views are of arrays of `count` elements.
-            unsafe { eval(&subject.bsdf, &args, level) }.unwrap();
+            unsafe { eval(bsdf, &args, level) }.unwrap();
             let what = format!("{}: {count} {} -> {}", level.name(), input.0, output.0);
             for (i, expected) in expected.iter().enumerate() {
                 assert_eq!(bits(value.get(i)), bits(expected.value), "{what}, {i}");
@@ -65,29 +57,24 @@ fn values_go_through_every_view() {
 
 #[test]
 fn samples_go_through_every_view() {
-    for_every_view(|subject, count, input, output| {
-        let inputs = Inputs::new(subject, count, input);
-        let expected = inputs.sampled(&subject.bsdf, count);
+    for_every_view(|bsdf, count, input, output| {
+        let inputs = Inputs::new(bsdf, count, input);
+        let expected = inputs.sampled(bsdf);
         for level in Level::all() {
             let [mut wi, mut weight] = [(); 2].map(|()| Array::new(output, count, 3));
             let mut numbers = [(); 5].map(|()| Array::new(output, count, 1));
             let [pdf, eta, flags, lobe, probability] = &mut numbers;
+            let varying = inputs.views();
             let args = SampleArgs {
-                count,
-                call: Call::default(),
-                wo: inputs.wo.const_view(),
-                u: inputs.u.const_view(),
-                varying: &inputs.views(),
-                wi: wi.view(),
                 pdf: pdf.view(),
                 weight: weight.view(),
                 eta: eta.view(),
                 flags: flags.view(),
-                lobe: lobe.view(),
                 lobe_probability: probability.view(),
+                ..inputs.sample_args(&varying, wi.view(), lobe.view())
             };
             // SAFETY: all views are of arrays of `count` elements.
-            unsafe { sample(&subject.bsdf, &args, level) }.unwrap();
+            unsafe { sample(bsdf, &args, level) }.unwrap();
             let what = format!("{}: {count} {} -> {}", level.name(), input.0, output.0);
             for (i, expected) in expected.iter().enumerate() {
                 assert_eq!(bits(wi.get(i)), bits(expected.wi.to_array()), "{what}, {i}");
