@@ -20,7 +20,8 @@ pub enum White {
 }
 
 impl White {
-    const NAMES: [(&'static str, Self); 2] = [("E", Self::E), ("D65", Self::D65)];
+    /// Every white by its name, the default first.
+    pub const NAMES: [(&'static str, Self); 2] = [("E", Self::E), ("D65", Self::D65)];
 
     /// The white called "E" or "D65".
     pub fn named(name: &str) -> Result<Self, Error> {
@@ -53,7 +54,8 @@ pub enum ColorSpace {
 }
 
 impl ColorSpace {
-    const NAMES: [(&'static str, Self); 4] = [
+    /// Every space by its name, the default first.
+    pub const NAMES: [(&'static str, Self); 4] = [
         ("rec709", Self::Rec709),
         ("rec2020", Self::Rec2020),
         ("acescg", Self::AcesCg),

@@ -1,6 +1,6 @@
 //! The limits of the film methods: no film, no contrast, no transmission, no coherence, no light.
 
-use pellicle::film::{Kind, MAX_THICKNESS_NM, Method, OneLayer};
+use pellicle::film::{CompiledMethod, MAX_THICKNESS_NM, OneLayer, OneLayerMethod};
 use pellicle::num::Rgb;
 use pellicle::optics::stack::{Layer, Side, Stack};
 use pellicle::optics::{ColorSpace, Complex, Medium, RGB_WAVELENGTHS_NM, Reference, White};
@@ -35,13 +35,16 @@ fn is_near(a: Rgb<f64>, b: Rgb<f64>, tolerance: f64) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance)
 }
 
-fn method(kind: Kind, layer: &OneLayer) -> Box<dyn Method<f64>> {
-    kind.compile(layer).unwrap()
+fn method(kind: OneLayerMethod, layer: &OneLayer) -> Box<dyn CompiledMethod<f64>> {
+    kind.double(layer).unwrap()
 }
 
 /// Methods that add up all beams.
-fn has_all_beams(kind: Kind) -> bool {
-    !matches!(kind, Kind::TwoBeam | Kind::Harmonics(..))
+fn has_all_beams(kind: OneLayerMethod) -> bool {
+    !matches!(
+        kind,
+        OneLayerMethod::TwoBeam | OneLayerMethod::Harmonics(..)
+    )
 }
 
 const STACKS: [(f64, Index, Index); 14] = [
@@ -76,9 +79,9 @@ fn everything_is_finite_for_every_argument() {
     let thicknesses = || THICKNESSES.into_iter().chain(hostile);
     for (ambient, film, base) in STACKS {
         let layer = layer(ambient, film, base);
-        for kind in Kind::ALL {
+        for kind in OneLayerMethod::ALL {
             let exact = method(kind, &layer);
-            let single: Box<dyn Method<f32>> = kind.compile(&layer).unwrap();
+            let single: Box<dyn CompiledMethod<f32>> = kind.single(&layer).unwrap();
             for (c, d) in cosines().flat_map(|c| thicknesses().map(move |d| (c, d))) {
                 let at = format!("{kind:?} {ambient} {film:?} {base:?} {c} {d}");
                 let found = exact.reflectance(c, d);
@@ -97,7 +100,7 @@ fn everything_is_finite_for_every_argument() {
 #[test]
 fn arguments_are_held_in_their_ranges() {
     let layer = layer(1.0, (1.33, 0.0), (1.5, 0.0));
-    for kind in Kind::ALL {
+    for kind in OneLayerMethod::ALL {
         let method = method(kind, &layer);
         let same = |a: (f64, f64), b: (f64, f64)| {
             let [a, b] = [a, b].map(|(c, d)| method.reflectance(c, d));
@@ -116,7 +119,10 @@ fn arguments_are_held_in_their_ranges() {
 fn without_a_film_the_base_is_bare() {
     for (ambient, film, base) in STACKS {
         let layer = layer(ambient, film, base);
-        for kind in Kind::ALL.into_iter().filter(|kind| has_all_beams(*kind)) {
+        for kind in OneLayerMethod::ALL
+            .into_iter()
+            .filter(|kind| has_all_beams(*kind))
+        {
             let method = method(kind, &layer);
             for c in COSINES {
                 let bare = truth(ambient, &[], base, c, 0.0);
@@ -131,14 +137,13 @@ fn without_a_film_the_base_is_bare() {
 /// The series cut off after N terms misses the bare base by 2 |C(1)| |g|^N / (1 - |g|).
 #[test]
 fn harmonics_without_a_film_are_off_by_their_missing_terms() {
-    use pellicle::film::Sensitivity::Tabulated;
     let stack = layer(1.0, (1.5, 0.0), (1.33, 0.0));
     let (above, below) = (0.5f64 / 2.5, (0.17f64 / 2.83));
     let g = above * below;
     let first = above * (1.0 - above * above) * below;
     let bare = truth(1.0, &[], (1.33, 0.0), 1.0, 0.0);
     for order in 1..4 {
-        let method = method(Kind::Harmonics(Tabulated, order), &stack);
+        let method = method(OneLayerMethod::Harmonics(order), &stack);
         let missing = 2.0 * first * g.powi(order as i32) / (1.0 - g);
         let found = method.reflectance(1.0, 0.0);
         for c in 0..3 {
@@ -156,7 +161,7 @@ fn harmonics_without_a_film_are_off_by_their_missing_terms() {
 #[test]
 fn airy_rgb_is_the_stack_at_three_wavelengths() {
     for (ambient, film, base) in STACKS {
-        let method = method(Kind::AiryRgb, &layer(ambient, film, base));
+        let method = method(OneLayerMethod::AiryRgb, &layer(ambient, film, base));
         let index = |(eta, k): Index| Complex::new(eta, k);
         for (c, d) in [0.03, 0.2, 0.7, 1.0]
             .into_iter()
@@ -189,7 +194,10 @@ fn airy_rgb_is_the_stack_at_three_wavelengths() {
 #[test]
 fn two_beam_is_the_sum_of_two_beams() {
     for (film, base) in [(1.33, 1.0), (1.5, 1.33), (2.4, 1.5)] {
-        let method = method(Kind::TwoBeam, &layer(1.0, (film, 0.0), (base, 0.0)));
+        let method = method(
+            OneLayerMethod::TwoBeam,
+            &layer(1.0, (film, 0.0), (base, 0.0)),
+        );
         let (above, below) = ((1.0 - film) / (1.0 + film), (film - base) / (film + base));
         let second = (1.0 - above * above) * below;
         for d in [0.0, 70.0, 300.0, 1000.0] {
@@ -211,7 +219,7 @@ fn a_film_like_its_neighbour_does_nothing() {
     for base in [(1.5, 0.0), (1.5, 3.0), (1.0, 0.0)] {
         for film in [(1.0, 0.0), base] {
             let layer = layer(1.0, film, base);
-            for kind in Kind::ALL {
+            for kind in OneLayerMethod::ALL {
                 let method = method(kind, &layer);
                 for (c, d) in COSINES
                     .into_iter()
@@ -231,7 +239,10 @@ fn total_reflection_is_total() {
     // 1.5 to 1.0 beyond 41.8 degrees: at the base, through a denser film, and, thick, at the film.
     for (film, thickness) in [(2.0, 100.0), (1.4, 1000.0), (1.0, 1e5)] {
         let layer = layer(1.5, (film, 0.0), (1.0, 0.0));
-        for kind in Kind::ALL.into_iter().filter(|kind| has_all_beams(*kind)) {
+        for kind in OneLayerMethod::ALL
+            .into_iter()
+            .filter(|kind| has_all_beams(*kind))
+        {
             let method = method(kind, &layer);
             for c in [0.05, 0.3, 0.6] {
                 let found = method.reflectance(c, thickness);
@@ -245,10 +256,10 @@ fn total_reflection_is_total() {
     // Frustrated: an air gap in glass, thin enough to let light through.
     let layer = layer(1.5, (1.0, 0.0), (1.5, 0.0));
     for kind in [
-        Kind::Quadrature(16),
-        Kind::Quadrature(64),
-        Kind::Bands(16),
-        Kind::Bands(64),
+        OneLayerMethod::Quadrature(16),
+        OneLayerMethod::Quadrature(64),
+        OneLayerMethod::Bands(16),
+        OneLayerMethod::Bands(64),
     ] {
         let method = method(kind, &layer);
         for (c, d) in [(0.6, 100.0), (0.5, 50.0), (0.2, 300.0), (0.74, 200.0)] {
@@ -300,8 +311,9 @@ fn thick_films_become_incoherent_in_bands() {
         (2.4, (2.9, 3.1)),
     ] {
         let layer = layer(1.0, (film, 0.0), base);
-        let method = method(Kind::Bands(16), &layer);
-        let single: Box<dyn Method<f32>> = Kind::Bands(16).compile(&layer).unwrap();
+        let method = method(OneLayerMethod::Bands(16), &layer);
+        let single: Box<dyn CompiledMethod<f32>> =
+            OneLayerMethod::Bands(16).single(&layer).unwrap();
         for c in [0.1, 0.5, 0.8, 1.0] {
             let limit = incoherent(film, base, c);
             let mut far = Vec::new();
@@ -326,7 +338,7 @@ fn thick_films_become_incoherent_in_bands() {
 #[test]
 fn thick_films_are_those_of_the_reference_in_bands() {
     for (film, base) in [(1.33, (1.0, 0.0)), (1.5, (1.5, 3.0)), (1.5, (1.33, 0.0))] {
-        let method = method(Kind::Bands(32), &layer(1.0, (film, 0.0), base));
+        let method = method(OneLayerMethod::Bands(32), &layer(1.0, (film, 0.0), base));
         for c in [0.1, 0.4, 0.7, 1.0] {
             for d in [3000.0, 4100.0, 6000.0, 1e4, 1e5] {
                 let truth = truth(1.0, &[(film, 0.0)], base, c, d);
@@ -345,7 +357,7 @@ fn vanishing_absorption_changes_nothing() {
     for (ambient, film, base) in STACKS.into_iter().filter(|(_, film, _)| film.1 == 0.0) {
         let lossless = layer(ambient, film, base);
         let lossy = layer(ambient, (film.0, 1e-10), base);
-        for kind in Kind::ALL {
+        for kind in OneLayerMethod::ALL {
             let methods = [&lossless, &lossy].map(|layer| method(kind, layer));
             for (c, d) in [0.03, 0.2, 0.5, 0.95, 1.0]
                 .into_iter()
@@ -362,14 +374,13 @@ fn vanishing_absorption_changes_nothing() {
 #[test]
 fn sizes_out_of_range_are_refused() {
     let layer = layer(1.0, (1.5, 0.0), (1.5, 0.0));
-    use pellicle::film::Sensitivity::Gaussian;
     for (kind, size) in [
-        (Kind::Quadrature(0), "wavelengths = 0"),
-        (Kind::Quadrature(65), "wavelengths = 65"),
-        (Kind::Bands(257), "bands = 257"),
-        (Kind::Harmonics(Gaussian, 0), "order = 0"),
+        (OneLayerMethod::Quadrature(0), "wavelengths = 0"),
+        (OneLayerMethod::Quadrature(65), "wavelengths = 65"),
+        (OneLayerMethod::Bands(257), "bands = 257"),
+        (OneLayerMethod::Harmonics(0), "order = 0"),
     ] {
-        let error = kind.compile::<f32>(&layer).err().unwrap().to_string();
+        let error = kind.single(&layer).err().unwrap().to_string();
         assert!(error.contains(size), "{error}");
     }
 }

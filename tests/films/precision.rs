@@ -1,6 +1,6 @@
 //! The film methods in single precision against double.
 
-use pellicle::film::{Kind, Method, OneLayer};
+use pellicle::film::{CompiledMethod, OneLayer, OneLayerMethod};
 use pellicle::optics::{ColorSpace, Medium, White};
 
 fn medium(eta: f64, k: f64) -> Medium {
@@ -24,11 +24,11 @@ fn single_precision_is_close_to_double() {
         layer(Medium::named("TiO2").unwrap(), Medium::named("Au").unwrap()),
         layer(Medium::named("Au").unwrap(), Medium::named("SiO2").unwrap()),
     ];
-    for kind in Kind::ALL {
+    for kind in OneLayerMethod::ALL {
         let mut greatest = [0.0f64; 2];
         for layer in &layers {
-            let single: Box<dyn Method<f32>> = kind.compile(layer).unwrap();
-            let double: Box<dyn Method<f64>> = kind.compile(layer).unwrap();
+            let single: Box<dyn CompiledMethod<f32>> = kind.single(layer).unwrap();
+            let double: Box<dyn CompiledMethod<f64>> = kind.double(layer).unwrap();
             for i in 0..200 * 60 {
                 let d = (i / 60) as f32 / 199.0 * 1000.0;
                 let c = ((i % 60) as f32 / 59.0).powi(2);
