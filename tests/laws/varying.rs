@@ -133,7 +133,7 @@ fn calls(bsdf: &Bsdf<f64>, rng: &mut Pcg64Mcg) -> Vec<Call> {
             .as_dvec3()
             .clamp(DVec3::splat(1e-3), DVec3::splat(0.999));
         let mut wi = hemisphere(rng);
-        if i % 2 == 0 {
+        if i.is_multiple_of(2) {
             let sample = bsdf.sampled(wo, u, None);
             if sample.pdf > 0.0 {
                 wi = sample.wi;
