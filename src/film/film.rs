@@ -102,7 +102,7 @@ impl Film {
         }
     }
 
-    /// The table of the reflectance from the ambient's side, if the film is one over the cosine there.
+    /// The table of the reflectance from the ambient's side, if the film has one over the cosine there.
     #[inline(always)]
     pub(super) fn table(&self) -> Option<&SplineTable> {
         match &self.evaluator {
