@@ -1,6 +1,6 @@
 //! ns per colour of every film method in single precision, on a dielectric and on a metallic base, at
 //! random cosines and thicknesses to 1 um. The baseline, the converged reference, is in `reference.rs`;
-//! the errors of the same methods are printed by `cargo test --test film_accuracy -- --nocapture`.
+//! the errors of the same methods are printed by `cargo test --release --test films accuracy -- --nocapture`.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use pellicle::film::{OneLayer, OneLayerMethod};

@@ -2,7 +2,7 @@
 # hand; it fails if a tool is missing that cannot be installed.
 
 # The quick ones first.
-STAGES=(symbols older abi undefined address threads valgrind miri fuzz agreement evaluations soak promise)
+STAGES=(symbols abi undefined address threads valgrind miri fuzz agreement evaluations soak promise)
 
 check() {
     case "${1:-}" in

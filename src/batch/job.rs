@@ -216,19 +216,21 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(),
                     lobe_probability: probability_slice,
                 };
                 bsdf.sample_job(chunks.level, &mut job);
-                let [flags_slice] = chunk.targets(&args.flags, &mut flags);
-                let [number_slice] = chunk.targets(&args.lobe, &mut numbers_of_lobes);
-                let found = job.lobe.iter().zip(job.lobe_probability.iter());
-                for (i, (lobe, probability)) in found.enumerate() {
-                    number_slice[i] = *lobe as u32;
-                    flags_slice[i] = bsdf.sampled_flags(*lobe as usize, *probability > 0.0).0;
+                if !(args.flags.data.is_null() && args.lobe.data.is_null()) {
+                    let [flags_slice] = chunk.targets(&args.flags, &mut flags);
+                    let [number_slice] = chunk.targets(&args.lobe, &mut numbers_of_lobes);
+                    let found = job.lobe.iter().zip(job.lobe_probability.iter());
+                    for (i, (lobe, probability)) in found.enumerate() {
+                        number_slice[i] = *lobe as u32;
+                        flags_slice[i] = bsdf.sampled_flags(*lobe as usize, *probability > 0.0).0;
+                    }
+                    chunk.write(&args.flags, &flags);
+                    chunk.write(&args.lobe, &numbers_of_lobes);
                 }
                 chunk.write(&args.wi, &wi);
                 chunk.write(&args.weight, &weight);
                 chunk.write(&args.pdf, &pdf);
                 chunk.write(&args.eta, &eta);
-                chunk.write(&args.flags, &flags);
-                chunk.write(&args.lobe, &numbers_of_lobes);
                 chunk.write(&args.lobe_probability, &probability);
             }
         }

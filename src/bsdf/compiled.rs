@@ -1,9 +1,9 @@
 //! The kernel of a model all of whose lobes reflect and have a density.
 
 use super::call::Transport;
-use super::job::{Direction, EvalJob, SampleJob, choices, eval_pdf, sample, vary};
+use super::job::{Direction, EvalJob, SampleJob, choices, eval_pdf, sample, with_overrides};
 use super::kernel::{Kernel, sample_each};
-use super::lobes::{LobeSet, MAX_LOBES, PerLobe, mixture_density};
+use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
 use super::precision::Precision;
 use super::quadrature;
 use super::surface::Surface;
@@ -80,11 +80,21 @@ impl<C> LobeKernel<C> {
     where
         C: Compiled<T>,
     {
-        let mut surface = self.0.surface::<T>();
-        if !lobes.is_all() {
-            surface.retain(lobes);
-        }
-        vary(&mut surface, varying, 0).then(|| f(&surface))
+        with_overrides(
+            varying,
+            #[inline(always)]
+            |overrides| {
+                let mut surface = self.0.surface::<T>();
+                if !lobes.is_all() {
+                    surface.retain(lobes);
+                }
+                for (param, value) in overrides {
+                    surface.vary(*param, *value);
+                }
+                surface.finish_vary();
+                f(&surface)
+            },
+        )
     }
 
     /// The surface with the description's values.
@@ -109,8 +119,13 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         if is_plain(varying, lobes) {
             return self.settled::<T>().eval(wo, wi);
         }
-        self.with_varied(varying, lobes, |surface| surface.eval(wo, wi))
-            .unwrap_or([T::new(0.0); 3])
+        self.with_varied(
+            varying,
+            lobes,
+            #[inline(always)]
+            |surface| surface.eval(wo, wi),
+        )
+        .unwrap_or([T::new(0.0); 3])
     }
 
     fn eval_pdf(
@@ -123,12 +138,13 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         if is_plain(varying, lobes) {
             return eval_pdf(&self.settled::<T>(), lobes, wo, wi);
         }
-        let found = self.with_varied(varying, lobes, |surface| {
-            let (value, densities) = quadrature::eval_outlined(surface, wo, wi);
-            let shares = choices(surface, wo, lobes);
-            (value, mixture_density(&shares, &densities))
-        });
-        found.unwrap_or(([T::new(0.0); 3], T::new(0.0)))
+        self.with_varied(
+            varying,
+            lobes,
+            #[inline(always)]
+            |surface| eval_pdf(surface, lobes, wo, wi),
+        )
+        .unwrap_or(([T::new(0.0); 3], T::new(0.0)))
     }
 
     fn sample(
@@ -142,9 +158,12 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         if is_plain(varying, lobes) {
             return sample(&self.settled::<T>(), lobes, true, wo, u);
         }
-        self.with_varied(varying, lobes, |surface| {
-            sample(surface, lobes, true, wo, u)
-        })
+        self.with_varied(
+            varying,
+            lobes,
+            #[inline(always)]
+            |surface| sample(surface, lobes, true, wo, u),
+        )
         .unwrap_or(Direction::none())
     }
 

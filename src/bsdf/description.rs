@@ -139,11 +139,13 @@ impl Description {
             &resolved.varying,
         )?;
         resolved.values.set_film(self.film.clone());
-        if let Some(thickness) = info.film_thickness.filter(|&param| !seen[param]) {
-            // Its default means nothing: where it only varies, the least of its range stands for it.
-            let mut ranges = resolved.varying.iter();
-            if let Some(range) = ranges.find(|range| range.param == thickness) {
-                resolved.values.set_numbers(thickness, [range.min; 3]);
+        for range in &resolved.varying {
+            // What varies without a value of its own has the model's default, held within its range.
+            if let ParamKind::Number { default, .. } = info.params[range.param].kind
+                && !seen[range.param]
+            {
+                let default = default.clamp(range.min, range.max);
+                resolved.values.set_numbers(range.param, [default; 3]);
             }
         }
         (entry.check)(&resolved.bounds(info))?;

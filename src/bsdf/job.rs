@@ -95,27 +95,33 @@ impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
             surface.retain(self.lobes);
         }
         surface.finish_vary();
-        let count = self.wo.count();
+        // Copies: what lies behind `self` would be read again after each result is written.
+        let (wo, wi, varying, lobes) = (self.wo, self.wi, self.varying, self.lobes);
+        let (mut values, mut pdf) = (self.value.take(), self.pdf.take());
         // The most frequent case has a loop of its own, in which nothing depends on the element but the
         // directions: the compiler moves out of it what follows from the parameters. These are plain loops,
         // as closures given to the standard library are compiled without the level's instructions.
-        if self.pdf.is_none() && self.varying.is_empty() {
-            for from in (0..count).step_by(L::COUNT) {
-                let (wo, wi, is_seen) = self.directions::<L>(from);
-                self.store_value(from, is_seen, surface.eval(wo, wi));
+        if pdf.is_none() && varying.is_empty() {
+            let Some(values) = &mut values else { return };
+            for from in (0..wo.count()).step_by(L::COUNT) {
+                let (wo, wi, is_seen) = directions::<L>(&wo, &wi, from);
+                store_value(values, from, is_seen, surface.eval(wo, wi));
             }
             return;
         }
         let mut is_usable = L::new(0.0).equals(L::new(0.0));
-        for from in (0..count).step_by(L::COUNT) {
-            if !self.varying.is_empty() {
-                is_usable = vary(&mut surface, &self.varying, from);
+        for from in (0..wo.count()).step_by(L::COUNT) {
+            if !varying.is_empty() {
+                is_usable = vary(&mut surface, &varying, from);
             }
-            let (wo, wi, is_seen) = self.directions::<L>(from);
+            let (wo, wi, is_seen) = directions::<L>(&wo, &wi, from);
             let is_seen = is_seen & is_usable;
-            let (value, density) = eval_pdf(&surface, self.lobes, wo, wi);
-            self.store_value(from, is_seen, value);
-            if let Some(pdf) = &mut self.pdf {
+            let (value, densities) = surface.eval_with_densities(wo, wi);
+            if let Some(values) = &mut values {
+                store_value(values, from, is_seen, value);
+            }
+            if let Some(pdf) = &mut pdf {
+                let density = mixture_density(&choices(&surface, wo, lobes), &densities);
                 let density = L::select(is_seen, density, L::new(0.0));
                 density.store(&mut pdf[from..from + L::COUNT]);
             }
@@ -125,9 +131,11 @@ impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
     /// Does the job element by element. `eval_pdf` returns value and density for directions above the surface.
     pub fn run_each(&mut self, mut eval_pdf: impl FnMut(usize, Vec3<T>, Vec3<T>) -> (Rgb<T>, T)) {
         for element in 0..self.wo.count() {
-            let (wo, wi, is_seen) = self.directions::<T>(element);
+            let (wo, wi, is_seen) = directions::<T>(&self.wo, &self.wi, element);
             let (value, density) = eval_pdf(element, wo, wi);
-            self.store_value(element, is_seen, value);
+            if let Some(values) = &mut self.value {
+                store_value(values, element, is_seen, value);
+            }
             if let Some(pdf) = &mut self.pdf {
                 pdf[element] = T::select(is_seen, density, T::new(0.0));
             }
@@ -138,25 +146,32 @@ impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
     pub fn clear(&mut self) {
         self.run_each(|_, _, _| ([T::new(0.0); 3], T::new(0.0)));
     }
+}
 
-    /// wo, wi, and whether both are above the surface.
-    #[inline(always)]
-    fn directions<L: Lane<Scalar = T>>(&self, from: usize) -> (Vec3<L>, Vec3<L>, L::Mask) {
-        let wo = Vec3::from_array(self.wo.load::<L>(from));
-        let wi = Vec3::from_array(self.wi.load::<L>(from));
-        (wo, wi, is_above(wo) & is_above(wi))
-    }
+/// wo, wi, and whether both are above the surface.
+#[inline(always)]
+fn directions<L: Lane>(
+    wo: &Columns<L::Scalar>,
+    wi: &Columns<L::Scalar>,
+    from: usize,
+) -> (Vec3<L>, Vec3<L>, L::Mask) {
+    let wo = Vec3::from_array(wo.load::<L>(from));
+    let wi = Vec3::from_array(wi.load::<L>(from));
+    (wo, wi, is_above(wo) & is_above(wi))
+}
 
-    #[inline(always)]
-    fn store_value<L: Lane<Scalar = T>>(&mut self, from: usize, is_seen: L::Mask, value: Rgb<L>) {
-        if let Some(target) = &mut self.value {
-            let zero = L::new(0.0);
-            target.store(
-                from,
-                each!(value, |channel| L::select(is_seen, channel, zero)),
-            );
-        }
-    }
+#[inline(always)]
+fn store_value<L: Lane>(
+    values: &mut ColumnsMut<L::Scalar>,
+    from: usize,
+    is_seen: L::Mask,
+    value: Rgb<L>,
+) {
+    let zero = L::new(0.0);
+    values.store(
+        from,
+        each!(value, |channel| L::select(is_seen, channel, zero)),
+    );
 }
 
 impl<T: Lane<Scalar = T>> SampleJob<'_, T> {
@@ -167,15 +182,17 @@ impl<T: Lane<Scalar = T>> SampleJob<'_, T> {
             surface.retain(self.lobes);
         }
         surface.finish_vary();
+        // Copies, as in `EvalJob::run`.
+        let (wo, u, varying, lobes) = (self.wo, self.u, self.varying, self.lobes);
         let mut is_usable = L::new(0.0).equals(L::new(0.0));
-        for from in (0..self.wo.count()).step_by(L::COUNT) {
-            if !self.varying.is_empty() {
-                is_usable = vary(&mut surface, &self.varying, from);
+        for from in (0..wo.count()).step_by(L::COUNT) {
+            if !varying.is_empty() {
+                is_usable = vary(&mut surface, &varying, from);
             }
-            let wo = Vec3::from_array(self.wo.load::<L>(from));
-            let u = self.u.load::<L>(from);
+            let wo = Vec3::from_array(wo.load::<L>(from));
+            let u = u.load::<L>(from);
             let is_usable = is_usable & is_above(wo) & are_uniform(u);
-            self.store(from, sample(&surface, self.lobes, is_usable, wo, u));
+            self.store(from, sample(&surface, lobes, is_usable, wo, u));
         }
     }
 
@@ -219,6 +236,7 @@ impl<L: Lane> Direction<L> {
 
 /// Calls `f` with the varying values of a single call as pairs of parameter index and value; `None` if one
 /// is unusable.
+#[inline(always)]
 pub fn with_overrides<T: Lane<Scalar = T, Mask = bool>, R>(
     varying: &VaryingValues<T>,
     f: impl FnOnce(&[(usize, [T; 3])]) -> R,

@@ -67,7 +67,7 @@ void add_diffuse(Builder &builder) {
     namespace narrow = vectorised::bits256;
     namespace wide = vectorised::bits512;
     const auto reflecting = [](const char *model) {
-        return pellicle::BsdfBuilder(model).set("reflectance", material::reflectance, 3);
+        return bsdfs::of(model).set("reflectance", material::reflectance, 3);
     };
     builder.add("lambert", reflecting("lambert").create(), rounding, nullptr,
                 [](Direction wo, Direction wi, float, float *value) { plain::lambert(wo, wi, value); },
@@ -85,7 +85,7 @@ void add_lobes(Builder &builder) {
     namespace narrow = vectorised::bits256;
     namespace wide = vectorised::bits512;
     builder.add("phong",
-                pellicle::BsdfBuilder("phong")
+                bsdfs::of("phong")
                     .set("diffuse", material::phong_diffuse, 3)
                     .set("specular", material::phong_specular, 3)
                     .set("exponent", material::phong_exponent)
@@ -194,7 +194,7 @@ void add_metallic_roughness(Builder &builder) {
         };
     };
     builder.add("metallic_roughness",
-                pellicle::BsdfBuilder("metallic_roughness")
+                bsdfs::of("metallic_roughness")
                     .set("base_color", material::base_color, 3)
                     .set("metallic", material::metallic)
                     .set("roughness", material::roughness)

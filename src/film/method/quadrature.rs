@@ -26,7 +26,7 @@ pub(super) const INFO: MethodInfo = MethodInfo {
 const MAX_NODES: usize = 64;
 /// This part of the channels' power, over N^2, lies beyond either end of the nodes' range. Chosen among
 /// 1, 1/2, 1/4, 1/8 over N^2 and powers 1 and 3/2 of N by the errors at N = 8 to 64 over the stacks of
-/// `tests/film_accuracy.rs`; a factor of two in it changes them by a factor of 2.5 at most.
+/// `tests/films/accuracy.rs`; a factor of two in it changes them by a factor of 2.5 at most.
 const LEFT_OUT: f64 = 0.25;
 
 /// The exact reflectance (Airy 1833) at N wavelengths, added up with weights per channel.

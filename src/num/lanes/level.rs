@@ -58,7 +58,7 @@ impl Level {
     pub fn named(name: &str) -> Result<Self, Error> {
         let levels = || std::iter::once(Self::SCALAR).chain(Self::all());
         let found = levels().find(|level| level.name() == name);
-        found.ok_or_else(|| Error::unknown("SIMD level", name, levels().map(Self::name)))
+        found.ok_or_else(|| Error::unknown("simd_level", name, levels().map(Self::name)))
     }
 
     /// "scalar", "sse2", "avx2", "avx512" or "neon".

@@ -226,7 +226,8 @@ impl<P: Precision, T: Lane<Scalar = P>> Surface<T> for MaterialSurface<'_, T> {
         let ndf = Ggx::isotropic(alpha);
         let pair = HalfVector::new(wo, wi);
         let masking = ndf.smith(&pair);
-        let highlight = ndf.density_between(&pair) * masking;
+        let d = ndf.density_between(&pair);
+        let highlight = d * masking;
         let fresnel = schlick(self.specular_f0(), pair.cos_half.gray());
         let diffuse = self.diffuse(wo, wi) * self.coupling(wo, wi).gray();
         let mut value = fresnel * highlight.gray() + diffuse;
@@ -240,7 +241,7 @@ impl<P: Precision, T: Lane<Scalar = P>> Surface<T> for MaterialSurface<'_, T> {
         let value = T::channels(value);
         let mut densities = [T::new(0.0); MAX_LOBES];
         densities[DIFFUSE_LOBE] = warp::cosine_hemisphere_pdf(wi.z);
-        densities[SPECULAR_LOBE] = ndf.reflected_density(&pair);
+        densities[SPECULAR_LOBE] = ndf.reflected_density(&pair, d);
         (value, densities)
     }
 

@@ -126,13 +126,9 @@ impl<T: Lane> Ndf<T> for Beckmann<T> {
         Vec3::new(-x, -y, one).normalized()
     }
 
+    /// That of visible normals, G1 D <wo, h> / wo.z, over 4 <wo, h>.
     #[inline(always)]
-    fn sample_density(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.visible(wo, h) * wo.dot(h).max(T::new(0.0))
-    }
-
-    #[inline(always)]
-    fn reflected_density(&self, pair: &HalfVector<T>) -> T {
-        self.visible(pair.wo, pair.h()) * T::new(0.25)
+    fn reflected_density(&self, pair: &HalfVector<T>, d: T) -> T {
+        d / (pair.wo.z + self.cos_times_lambda(pair.wo)) * T::new(0.25)
     }
 }

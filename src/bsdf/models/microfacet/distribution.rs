@@ -17,26 +17,45 @@ pub(super) enum Distribution<T> {
     Tabulated(Box<Tabulated<T>>),
 }
 
-/// Evaluates an expression in the [`Ndf`](super::ndf::Ndf) of a [`Distribution`] and a [`Roughness`]. The
+/// A [`Distribution`], borrowed: a copy in a surface, since lanes write memory that a reference might point
+/// to, and the compiler would read it again for each element.
+#[derive(Clone, Copy)]
+pub(super) enum DistributionRef<'a, T> {
+    Ggx,
+    Beckmann,
+    Tabulated(&'a Tabulated<T>),
+}
+
+impl<T> Distribution<T> {
+    #[inline(always)]
+    pub fn borrowed(&self) -> DistributionRef<'_, T> {
+        match self {
+            Self::Ggx => DistributionRef::Ggx,
+            Self::Beckmann => DistributionRef::Beckmann,
+            Self::Tabulated(tabulated) => DistributionRef::Tabulated(tabulated),
+        }
+    }
+}
+
+/// Evaluates an expression in the [`Ndf`](super::ndf::Ndf) of a [`DistributionRef`] and a [`Roughness`]. The
 /// choice is made where it is used, since an enumeration that holds lanes would be taken apart in memory.
 macro_rules! with_ndf {
     ($distribution:expr, $roughness:expr, |$ndf:ident| $body:expr) => {
         match $distribution {
-            $crate::bsdf::models::microfacet::distribution::Distribution::Ggx => {
+            $crate::bsdf::models::microfacet::distribution::DistributionRef::Ggx => {
                 let $ndf = $crate::bsdf::models::microfacet::ggx::Ggx {
                     alpha: $roughness.axes,
                     is_round: $roughness.is_round,
                 };
                 $body
             }
-            $crate::bsdf::models::microfacet::distribution::Distribution::Beckmann => {
+            $crate::bsdf::models::microfacet::distribution::DistributionRef::Beckmann => {
                 let $ndf = $crate::bsdf::models::microfacet::beckmann::Beckmann {
                     alpha: $roughness.axes,
                 };
                 $body
             }
-            $crate::bsdf::models::microfacet::distribution::Distribution::Tabulated(tabulated) => {
-                let $ndf = &**tabulated;
+            $crate::bsdf::models::microfacet::distribution::DistributionRef::Tabulated($ndf) => {
                 $body
             }
         }
@@ -59,7 +78,7 @@ impl<T: Precision> Distribution<T> {
                 Self::Ggx => [azimuth, other],
                 _ => [other, azimuth],
             };
-            with_ndf!(self, roughness, |ndf| Reflected::by_ndf(
+            with_ndf!(self.borrowed(), roughness, |ndf| Reflected::by_ndf(
                 &ndf, masking, [alpha; 2], wo, u
             ))
         };

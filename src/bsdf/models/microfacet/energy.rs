@@ -89,9 +89,9 @@ impl<T: Lane> Reflected<T> {
         let wi = wo.mirrored_about(ndf.sample(wo, u));
         let is_above = wi.z.gt(zero);
         let pair = HalfVector::new(wo, Vec3::select(is_above, wi, wo));
-        let density = ndf.reflected_density(&pair);
-        let value =
-            ndf.density_between(&pair) * masking.factor(masking.of_ndf(ndf, &pair), alpha, &pair);
+        let d = ndf.density_between(&pair);
+        let density = ndf.reflected_density(&pair, d);
+        let value = d * masking.factor(masking.of_ndf(ndf, &pair), alpha, &pair);
         let is_usable = is_above & density.gt(zero);
         let weight = value / T::select(is_usable, density, T::new(1.0));
         Self {

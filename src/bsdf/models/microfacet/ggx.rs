@@ -74,11 +74,6 @@ impl<T: Lane> Ndf<T> for Ggx<T> {
         T::new(0.5) / (self.length(pair.wo) + ratio * self.length(pair.wi))
     }
 
-    #[inline(always)]
-    fn visible(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) * T::new(2.0) / (wo.z + self.length(wo))
-    }
-
     /// Lambda = (sqrt(1 + alpha^2 tan^2) - 1) / 2: Heitz 2014, eq. 72 and 80. Multiplied by w.z it is
     /// half the difference of two lengths, written without cancellation.
     #[inline(always)]
@@ -105,13 +100,9 @@ impl<T: Lane> Ndf<T> for Ggx<T> {
         Vec3::new(x * self.alpha[0], y * self.alpha[1], height).normalized()
     }
 
+    /// That of visible normals, G1 D <wo, h> / wo.z, over 4 <wo, h>.
     #[inline(always)]
-    fn sample_density(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.visible(wo, h) * wo.dot(h).max(T::new(0.0))
-    }
-
-    #[inline(always)]
-    fn reflected_density(&self, pair: &HalfVector<T>) -> T {
-        self.density_between(pair) * T::new(0.5) / (pair.wo.z + self.length(pair.wo))
+    fn reflected_density(&self, pair: &HalfVector<T>, d: T) -> T {
+        d * T::new(0.5) / (pair.wo.z + self.length(pair.wo))
     }
 }

@@ -29,9 +29,6 @@ pub(crate) trait Ndf<T: Lane>: Copy {
     /// A normal for the viewer wo from two uniform numbers in [0, 1); unit.
     fn sample(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T>;
 
-    /// The density of [`Ndf::sample`], per steradian of h.
-    fn sample_density(&self, wo: Vec3<T>, h: Vec3<T>) -> T;
-
     /// G / (4 n.v) with Smith's masking, G = 1 / (1 + Lambda(wo) + Lambda(wi)): Heitz 2014, eq. 99.
     #[inline(always)]
     fn smith(&self, pair: &HalfVector<T>) -> T {
@@ -40,20 +37,9 @@ pub(crate) trait Ndf<T: Lane>: Copy {
         T::new(0.25) / (seen + nv / nl * self.cos_times_lambda(pair.wi))
     }
 
-    /// The density of visible normals over <wo, h>: G1 D / wo.z.
-    #[inline(always)]
-    fn visible(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) / (wo.z + self.cos_times_lambda(wo))
-    }
-
-    /// The density of wi, the mirror image of wo about a sampled h, per steradian of wi:
-    /// [`Ndf::sample_density`] over 4 <wo, h> (Walter et al. 2007, eq. 14), whose inverse is held
-    /// at [`GREATEST`].
-    #[inline(always)]
-    fn reflected_density(&self, pair: &HalfVector<T>) -> T {
-        let jacobian = (T::new(0.25) / pair.cos_half).min(T::new(GREATEST));
-        self.sample_density(pair.wo, pair.h()) * jacobian
-    }
+    /// The density of wi, the mirror image of wo about a sampled h, per steradian of wi: that of h, per
+    /// steradian of h, over 4 <wo, h> (Walter et al. 2007, eq. 14). `d` is [`Ndf::density_between`].
+    fn reflected_density(&self, pair: &HalfVector<T>, d: T) -> T;
 }
 
 /// The direction after the transformation that makes a distribution of roughness `alpha` along X and Y one

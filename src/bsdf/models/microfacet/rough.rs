@@ -1,7 +1,7 @@
 //! A surface of many facets.
 
 use super::compensation::{Compensation, MultipleScattering};
-use super::distribution::{Distribution, with_ndf};
+use super::distribution::{Distribution, DistributionRef, with_ndf};
 use super::fresnel::{CompiledFresnel, Fresnel};
 use super::half_vector::{HalfVector, turned};
 use super::masking::Masking;
@@ -31,7 +31,7 @@ impl<T: Precision> Compiled<T> for Rough<T> {
     #[inline(always)]
     fn surface<L: Lane<Scalar = T>>(&self) -> RoughSurface<'_, L> {
         RoughSurface {
-            distribution: &self.distribution,
+            distribution: self.distribution.borrowed(),
             roughness: self.roughness.splat(),
             fresnel: self.fresnel.fresnel(),
             masking: self.masking,
@@ -74,7 +74,7 @@ impl<T: Precision> Rough<T> {
 
 /// A rough surface, or one in each lane.
 pub(super) struct RoughSurface<'a, T: Lane> {
-    distribution: &'a Distribution<T::Scalar>,
+    distribution: DistributionRef<'a, T::Scalar>,
     roughness: Roughness<T>,
     fresnel: Fresnel<'a, T>,
     masking: Masking,
@@ -91,7 +91,7 @@ impl<'a, T: Lane> RoughSurface<'a, T> {
     #[inline(always)]
     fn plain_ggx(self, fresnel: Fresnel<'a, T>) -> Self {
         Self {
-            distribution: &Distribution::Ggx,
+            distribution: DistributionRef::Ggx,
             roughness: self.roughness.round(),
             fresnel,
             masking: Masking::Smith,
@@ -146,11 +146,11 @@ impl<P: Precision, T: Lane<Scalar = P>> Surface<T> for RoughSurface<'_, T> {
         if !self.roughness.is_round {
             pair = pair.turned(self.turn_back());
         }
-        let (d, smith, density) = with_ndf!(self.distribution, self.roughness, |ndf| (
-            ndf.density_between(&pair),
-            self.masking.of_ndf(&ndf, &pair),
-            ndf.reflected_density(&pair),
-        ));
+        let (d, smith, density) = with_ndf!(self.distribution, self.roughness, |ndf| {
+            let d = ndf.density_between(&pair);
+            let smith = self.masking.of_ndf(&ndf, &pair);
+            (d, smith, ndf.reflected_density(&pair, d))
+        });
         let highlight = d * self.masking.factor(smith, self.roughness.axes, &pair);
         let reflectance = self.fresnel.reflectance(pair.cos_half);
         let mut value = each!(reflectance, |reflectance| reflectance * highlight);

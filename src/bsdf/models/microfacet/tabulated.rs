@@ -3,7 +3,8 @@
 
 use super::abc::Abc;
 use super::blinn_phong::BlinnPhong;
-use super::ndf::Ndf;
+use super::half_vector::HalfVector;
+use super::ndf::{GREATEST, Ndf};
 use super::projected::Projected;
 use super::quantile::Quantile;
 use super::sgd::ShiftedGamma;
@@ -90,9 +91,10 @@ impl<T: Lane<Scalar = T>, L: Lane<Scalar = T>> Ndf<L> for &Tabulated<T> {
         }
     }
 
-    /// D(h) h.z
+    /// That of samples, D(h) h.z, over 4 <wo, h>, whose inverse is held at [`GREATEST`].
     #[inline(always)]
-    fn sample_density(&self, _wo: Vec3<L>, h: Vec3<L>) -> L {
-        self.profile.density(h) * h.z
+    fn reflected_density(&self, pair: &HalfVector<L>, d: L) -> L {
+        let jacobian = (L::new(0.25) / pair.cos_half).min(L::new(GREATEST));
+        d * pair.h().z * jacobian
     }
 }
