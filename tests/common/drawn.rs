@@ -83,7 +83,7 @@ impl Drawn {
         let params = entry.info.params.iter().enumerate();
         let mut numbers: Vec<Vec<f32>> = params
             .map(|(index, param)| {
-                if entry.info.film_thickness == Some(index) {
+                if entry.info.film_thickness == Some(index) || !param.is_used(|p| choices[p]) {
                     vec![]
                 } else {
                     draw_numbers(&param.kind, rng)
@@ -122,6 +122,7 @@ impl Drawn {
             let changed = changes.iter().find(|(changed, _)| *changed == index);
             let numbers = changed.map_or(&self.numbers[index], |(_, numbers)| numbers);
             description = match param.kind {
+                ParamKind::Choice { .. } if !param.is_used(|p| self.choices[p]) => description,
                 ParamKind::Choice { choices } => {
                     let name = choices[self.choices[index]];
                     description.choose(param.name(), name)

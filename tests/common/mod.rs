@@ -82,3 +82,12 @@ pub fn is_dirac<T: Precision>(bsdf: &Bsdf<T>) -> bool {
         .iter()
         .all(|lobe| lobe.flags.contains(Flags::DELTA))
 }
+
+/// The parameter that sets how rough a diffuse form of `metallic_roughness` is, if it has one.
+pub fn roughness_of(form: &str) -> Option<&'static str> {
+    match form {
+        "oren_nayar" => Some("sigma_radians"),
+        "disney" => Some("diffuse_roughness"),
+        _ => None,
+    }
+}

@@ -306,7 +306,7 @@ fn microfacet_samples_its_density() {
     }
     for distribution in ["ggx", "beckmann"] {
         let stretched = microfacet(distribution, 0.3).set("anisotropy", &[0.9]);
-        descriptions.push(stretched.set("rotation", &[0.4]));
+        descriptions.push(stretched.set("rotation_turns", &[0.4]));
     }
     assert_all_angles(&descriptions);
 }

@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 fn oren_nayar(reflectance: f32, sigma: f32, form: &str) -> Bsdf<f64> {
     let description = Description::new("oren_nayar")
         .set("reflectance", &[reflectance])
-        .set("sigma", &[sigma])
+        .set("sigma_radians", &[sigma])
         .choose("form", form);
     Bsdf::new(&description).unwrap()
 }

@@ -2,7 +2,7 @@
 //! package's numbers, its parameters per call against the same fixed, and its limits.
 
 use crate::common::calls::Calls;
-use crate::common::{degrees, hemisphere, rng, rounded};
+use crate::common::{degrees, hemisphere, rng, roughness_of, rounded};
 use glam::DVec3;
 use pellicle::{Bsdf, Description};
 use rand::RngExt;
@@ -143,7 +143,7 @@ fn a_dielectrics_value_is_the_definition() {
             .set("roughness", &[roughness])
             .set("metallic", &[metallic])
             .set("base_color", &[0.7])
-            .choose("specular", "f0")
+            .choose("dielectric_from", "f0")
             .set("f0", &[f0]);
         let bsdf: Bsdf<f64> = Bsdf::new(&description).unwrap();
         let truth = Truth::new(f64::from(roughness).powi(2), f64::from(f0));
@@ -179,7 +179,7 @@ fn the_index_gives_f0() {
     ] {
         let black = metallic_roughness().set("base_color", &[0.0]);
         let by_index: Bsdf = Bsdf::new(&black.clone().set("eta", &[eta])).unwrap();
-        let by_f0 = black.choose("specular", "f0").set("f0", &[f0]);
+        let by_f0 = black.choose("dielectric_from", "f0").set("f0", &[f0]);
         let by_f0: Bsdf = Bsdf::new(&by_f0).unwrap();
         let [a, b] =
             [&by_index, &by_f0].map(|bsdf| bsdf.value(wo.as_vec3(), wi.as_vec3(), None)[0]);
@@ -249,14 +249,8 @@ fn a_metal_has_mitsubas_values() {
     }
 }
 
-const NUMBERS: [(&str, usize); 6] = [
-    ("base_color", 3),
-    ("metallic", 1),
-    ("roughness", 1),
-    ("eta", 1),
-    ("f0", 1),
-    ("diffuse_roughness", 1),
-];
+/// The numbers of every choice.
+const NUMBERS: [(&str, usize); 3] = [("base_color", 3), ("metallic", 1), ("roughness", 1)];
 
 fn range(name: &str) -> [f32; 2] {
     if name == "eta" {
@@ -271,14 +265,17 @@ fn range(name: &str) -> [f32; 2] {
 #[test]
 fn varying_everything_equals_everything_fixed() {
     let mut rng = rng(3);
-    for specular in ["index", "f0"] {
+    for specular in ["eta", "f0"] {
         for diffuse in ["lambert", "oren_nayar", "disney"] {
             let chosen = metallic_roughness()
-                .choose("specular", specular)
-                .choose("diffuse", diffuse);
-            let varying = NUMBERS
-                .into_iter()
-                .fold(chosen.clone(), |description, (name, _)| {
+                .choose("dielectric_from", specular)
+                .choose("diffuse_form", diffuse);
+            let mut numbers = NUMBERS.to_vec();
+            numbers.push((specular, 1));
+            numbers.extend(roughness_of(diffuse).map(|param| (param, 1)));
+            let varying = numbers
+                .iter()
+                .fold(chosen.clone(), |description, &(name, _)| {
                     let [min, max] = range(name);
                     description.vary(name, min, max)
                 });
@@ -286,7 +283,7 @@ fn varying_everything_equals_everything_fixed() {
             for _ in 0..100 {
                 let mut flat = Vec::new();
                 let mut fixed = chosen.clone();
-                for (name, components) in NUMBERS {
+                for &(name, components) in &numbers {
                     let [min, max] = range(name);
                     let numbers: Vec<f32> = (0..components)
                         .map(|_| rng.random_range(min..=max))
@@ -347,10 +344,10 @@ fn the_least_alpha_is_as_stated() {
 #[test]
 fn wrong_values_are_refused_with_the_choices() {
     let message = |description: Description| Bsdf::<f32>::new(&description).err().unwrap().message;
-    let found = message(metallic_roughness().choose("diffuse", "burley"));
+    let found = message(metallic_roughness().choose("diffuse_form", "burley"));
     assert!(found.contains("lambert") && found.contains("oren_nayar") && found.contains("disney"));
-    let found = message(metallic_roughness().choose("specular", "ior"));
-    assert!(found.contains("index") && found.contains("f0"));
+    let found = message(metallic_roughness().choose("dielectric_from", "ior"));
+    assert!(found.contains("eta") && found.contains("f0"));
     let found = message(metallic_roughness().set("roughness", &[1.5]));
     assert!(found.contains("1.5") && found.contains("[0, 1]"), "{found}");
     let found = message(metallic_roughness().set("eta", &[0.24]));

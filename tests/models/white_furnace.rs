@@ -4,7 +4,7 @@
 
 use crate::common::calls::Calls;
 use crate::common::quadrature::Patch;
-use crate::common::{degrees, rng};
+use crate::common::{degrees, rng, roughness_of};
 use glam::DVec3;
 use pellicle::{Bsdf, Description};
 use rand::RngExt;
@@ -127,10 +127,10 @@ fn no_parameters_exceed_1() {
         let description = Description::new("metallic_roughness")
             .set("roughness", &[roughness])
             .set("base_color", &[1.0, 0.97, rng.random_range(0.8..=1.0)])
-            .choose("specular", "f0")
+            .choose("dielectric_from", "f0")
             .set("f0", &[f0])
-            .choose("diffuse", form)
-            .set("diffuse_roughness", &[diffuse_roughness]);
+            .choose("diffuse_form", form)
+            .set(roughness_of(form).unwrap(), &[diffuse_roughness]);
         let bsdf = Bsdf::new(&description).unwrap();
         let view = [0.0, 50.0, 75.0, 84.0, 87.0, 88.5, 89.5][rng.random_range(0..7)];
         let alpha = f64::from(roughness).powi(2).max(1e-4);
@@ -154,8 +154,8 @@ fn bounds_are_close() {
         ("disney", 1.0),
     ] {
         let description = white()
-            .choose("diffuse", form)
-            .set("diffuse_roughness", &[diffuse_roughness]);
+            .choose("diffuse_form", form)
+            .set(roughness_of(form).unwrap(), &[diffuse_roughness]);
         let bsdf = Bsdf::new(&description).unwrap();
         let albedos = [0.0, 60.0, 75.0, 80.0, 85.0, 89.0, 89.9]
             .map(|view| albedo(&bsdf, degrees(view, 0.0), 0.25)[0]);

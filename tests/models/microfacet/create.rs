@@ -124,7 +124,7 @@ fn tables_fix_alpha_and_are_round() {
         let all = description
             .vary("alpha", 0.01, 1.0)
             .vary("anisotropy", 0.0, 1.0);
-        let bsdf = assert_accepted(&all.vary("rotation", 0.0, 1.0));
+        let bsdf = assert_accepted(&all.vary("rotation_turns", 0.0, 1.0));
         assert_eq!(bsdf.varying_floats(), 3);
     }
 }
@@ -144,7 +144,7 @@ fn choices_and_constants_do_not_vary() {
         assert_refused(
             &varying,
             Status::Unsupported,
-            &[param, "alpha", "rotation", "thickness_nm"],
+            &[param, "alpha", "rotation_turns", "thickness_nm"],
         );
     }
 }

@@ -51,7 +51,7 @@ fn stretching_keeps_the_peak_and_widens_one_axis() {
         let description = white(distribution, "implicit", 0.2);
         let round = double(&description);
         let long = description.set("anisotropy", &[0.8]);
-        let turned = double(&long.clone().set("rotation", &[0.25]));
+        let turned = double(&long.clone().set("rotation_turns", &[0.25]));
         let long = double(&long);
         let peak = density(&round, DVec3::Z);
         assert!((density(&long, DVec3::Z) / peak - 1.0).abs() < 1e-12);

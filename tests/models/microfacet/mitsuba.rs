@@ -132,7 +132,7 @@ impl Answer {
                 .choose("fresnel", "conductor")
                 .set("alpha", &[(x * y).sqrt() as f32])
                 .set("anisotropy", &[anisotropy as f32])
-                .set("rotation", &[rotation])
+                .set("rotation_turns", &[rotation])
                 .set("eta", &self.eta)
                 .set("k", &self.k)
         })

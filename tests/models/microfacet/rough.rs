@@ -23,7 +23,7 @@ pub fn stretched(distribution: &str, description: &Description) -> Vec<Descripti
     let mut all = vec![description.clone()];
     if ["ggx", "beckmann"].contains(&distribution) {
         all.push(description.clone().set("anisotropy", &[0.6]));
-        let turned = description.clone().set("rotation", &[0.15]);
+        let turned = description.clone().set("rotation_turns", &[0.15]);
         all.push(turned.set("anisotropy", &[1.0]));
     }
     all
