@@ -10,7 +10,7 @@ use atlas::map::{Map, clipped_error};
 use atlas::scene::{Across, Scene, Truth};
 use atlas::stack::Stack;
 use atlas::{parallel, scene};
-use pellicle::film::{Film, Kind, Sensitivity};
+use pellicle::film::{Film, OneLayerMethod};
 
 /// Cells on either side of a map; the atlas has 28.
 const CELLS: usize = 10;
@@ -18,16 +18,16 @@ const CELLS: usize = 10;
 const TOLERANCES: [f64; 2] = [1e-2, 2e-3];
 
 /// Every method for one film, in sizes that a plan tries.
-fn kinds() -> Vec<Kind> {
-    let mut kinds = vec![Kind::TwoBeam, Kind::AiryRgb];
-    kinds.extend([4, 8, 16, 32, 64].map(Kind::Quadrature));
-    kinds.extend([8, 16, 32, 64, 128, 256].map(Kind::Bands));
-    kinds.extend([2, 3, 16].map(|order| Kind::Harmonics(Sensitivity::Tabulated, order)));
+fn kinds() -> Vec<OneLayerMethod> {
+    let mut kinds = vec![OneLayerMethod::TwoBeam, OneLayerMethod::AiryRgb];
+    kinds.extend([4, 8, 16, 32, 64].map(OneLayerMethod::Quadrature));
+    kinds.extend([8, 16, 32, 64, 128, 256].map(OneLayerMethod::Bands));
+    kinds.extend([2, 3, 16].map(|order| OneLayerMethod::Harmonics(order)));
     kinds
 }
 
 /// Whether a film's plan says that it evaluates a method in a size.
-fn uses(film: &Film, kind: Kind) -> bool {
+fn uses(film: &Film, kind: OneLayerMethod) -> bool {
     let reason = &film.plan().reason;
     reason.starts_with(&format!("{}: ", kind.cost()))
 }
@@ -50,8 +50,9 @@ fn films() -> Vec<Scene> {
 /// What one scene's plans chose: (times a method of the atlas was chosen, times one fails somewhere).
 fn cross(scene: &Scene) -> [usize; 2] {
     let truth = scene.truth(CELLS).unwrap();
-    let error = |kind: &Kind| greatest_error(Contender::Kind(*kind), scene, &truth);
-    let errors: Vec<(Kind, f64)> = kinds().iter().map(|kind| (*kind, error(kind))).collect();
+    let error = |kind: &OneLayerMethod| greatest_error(Contender::Kind(*kind), scene, &truth);
+    let errors: Vec<(OneLayerMethod, f64)> =
+        kinds().iter().map(|kind| (*kind, error(kind))).collect();
     let (mut chosen, mut failing) = (0, 0);
     for tolerance in TOLERANCES {
         let compiled = Contender::Planned(tolerance).compile(scene, scene.x.first);

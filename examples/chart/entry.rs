@@ -2,14 +2,14 @@
 
 use crate::suite::{Point, Range, Stack, Truth};
 use pellicle::Error;
-use pellicle::film::{Film, Kind, Method, Sensitivity};
+use pellicle::film::{CompiledMethod, Film, OneLayerMethod};
 use std::time::Instant;
 
 /// One method with one setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Entry {
     /// A method for one film.
-    Method(Kind),
+    Method(OneLayerMethod),
     /// What the plan compiles for a tolerance.
     Planned(f64),
     /// Converged wave optics.
@@ -23,8 +23,7 @@ pub enum Family {
     AiryRgb,
     Quadrature,
     Bands,
-    Gaussian,
-    Tabulated,
+    Harmonics,
     Planned,
     Reference,
 }
@@ -33,16 +32,15 @@ pub enum Family {
 const TOLERANCES: [f64; 3] = [1e-2, 2e-3, 2e-4];
 
 /// What times are compared with: three harmonics, the best that renderers use.
-pub const BASELINE: Entry = Entry::Method(Kind::Harmonics(Sensitivity::Tabulated, 3));
+pub const BASELINE: Entry = Entry::Method(OneLayerMethod::Harmonics(3));
 
 impl Family {
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 7] = [
         Self::TwoBeam,
         Self::AiryRgb,
         Self::Quadrature,
         Self::Bands,
-        Self::Gaussian,
-        Self::Tabulated,
+        Self::Harmonics,
         Self::Planned,
         Self::Reference,
     ];
@@ -54,8 +52,7 @@ impl Family {
             Self::AiryRgb => "all beams at 3 wavelengths",
             Self::Quadrature => "all beams at N wavelengths",
             Self::Bands => "all beams over K bands (ours)",
-            Self::Gaussian => "harmonics, 2 terms, Gaussians (Belcour & Barla 2017)",
-            Self::Tabulated => "harmonics, 1 to 5 terms, table (Belcour & Barla 2017)",
+            Self::Harmonics => "harmonics, 1 to 5 terms, table (Belcour & Barla 2017)",
             Self::Planned => "planned film (ours), by its tolerance",
             Self::Reference => "reference: error 0, drawn at the floor",
         }
@@ -65,9 +62,9 @@ impl Family {
 impl Entry {
     /// Everyone, each family together and from coarse to fine.
     pub fn all() -> Vec<Self> {
-        let mut kinds = Kind::ALL.to_vec();
+        let mut kinds = OneLayerMethod::ALL.to_vec();
         for order in [1, 4, 5] {
-            kinds.push(Kind::Harmonics(Sensitivity::Tabulated, order));
+            kinds.push(OneLayerMethod::Harmonics(order));
         }
         kinds.sort_by_key(|kind| {
             let family = Self::Method(*kind).family();
@@ -80,12 +77,11 @@ impl Entry {
 
     pub fn family(self) -> Family {
         match self {
-            Self::Method(Kind::TwoBeam) => Family::TwoBeam,
-            Self::Method(Kind::AiryRgb) => Family::AiryRgb,
-            Self::Method(Kind::Quadrature(_)) => Family::Quadrature,
-            Self::Method(Kind::Bands(_)) => Family::Bands,
-            Self::Method(Kind::Harmonics(Sensitivity::Gaussian, _)) => Family::Gaussian,
-            Self::Method(Kind::Harmonics(Sensitivity::Tabulated, _)) => Family::Tabulated,
+            Self::Method(OneLayerMethod::TwoBeam) => Family::TwoBeam,
+            Self::Method(OneLayerMethod::AiryRgb) => Family::AiryRgb,
+            Self::Method(OneLayerMethod::Quadrature(_)) => Family::Quadrature,
+            Self::Method(OneLayerMethod::Bands(_)) => Family::Bands,
+            Self::Method(OneLayerMethod::Harmonics(_)) => Family::Harmonics,
             Self::Planned(_) => Family::Planned,
             Self::Reference => Family::Reference,
         }
@@ -103,26 +99,30 @@ impl Entry {
     /// Its size or tolerance; empty if it has none.
     pub fn setting(self) -> String {
         match self {
-            Self::Method(Kind::Quadrature(count)) => format!("N={count}"),
-            Self::Method(Kind::Bands(count)) => format!("K={count}"),
-            Self::Method(Kind::Harmonics(_, 1)) => "1 term".into(),
-            Self::Method(Kind::Harmonics(_, order)) => format!("{order} terms"),
+            Self::Method(OneLayerMethod::Quadrature(count)) => format!("N={count}"),
+            Self::Method(OneLayerMethod::Bands(count)) => format!("K={count}"),
+            Self::Method(OneLayerMethod::Harmonics(1)) => "1 term".into(),
+            Self::Method(OneLayerMethod::Harmonics(order)) => format!("{order} terms"),
             Self::Planned(tolerance) => format!("{tolerance:e}"),
-            Self::Method(Kind::TwoBeam | Kind::AiryRgb) | Self::Reference => String::new(),
+            Self::Method(OneLayerMethod::TwoBeam | OneLayerMethod::AiryRgb) | Self::Reference => {
+                String::new()
+            }
         }
     }
 }
 
-fn size(kind: Kind) -> usize {
+fn size(kind: OneLayerMethod) -> usize {
     match kind {
-        Kind::TwoBeam | Kind::AiryRgb => 0,
-        Kind::Quadrature(size) | Kind::Bands(size) | Kind::Harmonics(_, size) => size,
+        OneLayerMethod::TwoBeam | OneLayerMethod::AiryRgb => 0,
+        OneLayerMethod::Quadrature(size)
+        | OneLayerMethod::Bands(size)
+        | OneLayerMethod::Harmonics(size) => size,
     }
 }
 
 /// An entry, ready for one stack and range.
 pub enum Compiled {
-    Method(Box<dyn Method<f32>>),
+    Method(Box<dyn CompiledMethod<f32>>),
     Film(Box<Film>),
     Reference(Box<Truth>),
 }
@@ -142,7 +142,7 @@ impl Compiled {
     pub fn new(entry: Entry, stack: &Stack, range: Range) -> Result<Option<Self>, Error> {
         Ok(Some(match entry {
             Entry::Method(kind) => match stack.one_layer() {
-                Some(layer) => Self::Method(kind.compile(&layer)?),
+                Some(layer) => Self::Method(kind.single(&layer)?),
                 None => return Ok(None),
             },
             Entry::Planned(tolerance) => {

@@ -19,8 +19,7 @@ impl Family {
             Self::AiryRgb => RGBColor(90, 90, 90),
             Self::Quadrature => RGBColor(0, 114, 178),
             Self::Bands => RGBColor(0, 140, 100),
-            Self::Gaussian => RGBColor(213, 94, 0),
-            Self::Tabulated => RGBColor(190, 70, 0),
+            Self::Harmonics => RGBColor(190, 70, 0),
             Self::Planned => RGBColor(190, 20, 120),
             Self::Reference => RGBColor(0, 0, 0),
         }
@@ -52,11 +51,7 @@ impl Family {
                 [(x - r + 1, y - r + 1), (x + r - 1, y + r - 1)],
                 color.filled(),
             )),
-            Self::Gaussian => {
-                area.draw(&Circle::new((x, y), r, WHITE.filled()))?;
-                area.draw(&Circle::new((x, y), r, line))
-            }
-            Self::Tabulated => area.draw(&Circle::new((x, y), r, color.filled())),
+            Self::Harmonics => area.draw(&Circle::new((x, y), r, color.filled())),
             Self::Planned => fill(diamond((x, y), r + 2)),
             Self::Reference => fill(star(x, y)),
         }

@@ -7,7 +7,7 @@ use crate::front::front;
 use crate::labels::{Rect, Tag, along, place};
 use crate::marker::{Area, Failure, RADIUS, draw_level};
 use crate::text::{INK, style, width};
-use pellicle::film::Kind;
+use pellicle::film::OneLayerMethod;
 use pellicle::num::Level;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
@@ -220,9 +220,9 @@ impl Panel<'_> {
 /// What stands beside a marker.
 fn label(summary: &Summary) -> String {
     let setting = match summary.entry {
-        Entry::Method(Kind::TwoBeam) => "two beams".into(),
-        Entry::Method(Kind::AiryRgb) => "3 wavelengths".into(),
-        Entry::Method(Kind::Harmonics(_, order)) => order.to_string(),
+        Entry::Method(OneLayerMethod::TwoBeam) => "two beams".into(),
+        Entry::Method(OneLayerMethod::AiryRgb) => "3 wavelengths".into(),
+        Entry::Method(OneLayerMethod::Harmonics(order)) => order.to_string(),
         entry => entry.setting(),
     };
     match summary.ns {

@@ -131,6 +131,11 @@ impl Description {
             resolved.values.set_varying(param);
             resolved.varying.push(range);
         }
+        let is_given =
+            |param: usize| seen[param] || resolved.varying.iter().any(|range| range.param == param);
+        for param in (0..info.params.len()).filter(|&param| is_given(param)) {
+            check_use(info, param, &resolved.values)?;
+        }
         check_film(
             entry,
             self.film.as_deref(),
@@ -206,6 +211,40 @@ fn index_of(info: &ModelInfo, name: &str) -> Result<usize, Error> {
         let kind = format!("parameter of model {}", info.name);
         Error::unknown(&kind, name, info.params.iter().map(ParamInfo::name))
     })
+}
+
+/// Refuses a parameter that has no effect with the choices made.
+fn check_use(info: &ModelInfo, index: usize, values: &Values<f32>) -> Result<(), Error> {
+    let param = &info.params[index];
+    if param.is_used(|choice| values.choice(choice)) {
+        return Ok(());
+    }
+    let name_of = |param: usize, choice: usize| match info.params[param].kind {
+        ParamKind::Choice { choices } => {
+            format!("{} = {}", info.params[param].name, choices[choice])
+        }
+        _ => info.params[param].name.to_owned(),
+    };
+    let cases = param.used_with.iter().map(|case| {
+        let choices = case.iter().map(|made| name_of(made.param, made.choice));
+        choices.collect::<Vec<_>>().join(" and ")
+    });
+    let needed = cases.collect::<Vec<_>>().join(", or with ");
+    // The choices that decide: each once.
+    let mut deciding: Vec<usize> = Vec::new();
+    for made in param.used_with.iter().copied().flatten() {
+        if !deciding.contains(&made.param) {
+            deciding.push(made.param);
+        }
+    }
+    let made = deciding
+        .iter()
+        .map(|&param| name_of(param, values.choice(param)));
+    let made = made.collect::<Vec<_>>().join(" and ");
+    Err(Error::invalid(format!(
+        "parameter '{}' has no effect with {made}; it is used with {needed}",
+        param.name
+    )))
 }
 
 fn set(

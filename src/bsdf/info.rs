@@ -109,9 +109,14 @@ pub struct Exception {
 impl Exception {
     /// Whether the law is broken, given what is chosen for each parameter.
     pub fn applies(&self, chosen: impl Fn(usize) -> usize) -> bool {
-        let is_made = |choice: &Choice| chosen(choice.param) == choice.choice;
-        self.cases.iter().any(|case| case.iter().all(is_made))
+        is_any_made(self.cases, chosen)
     }
+}
+
+/// Whether all choices of one of the cases are made.
+fn is_any_made(cases: &[&[Choice]], chosen: impl Fn(usize) -> usize) -> bool {
+    let is_made = |choice: &Choice| chosen(choice.param) == choice.choice;
+    cases.iter().any(|case| case.iter().all(is_made))
 }
 
 /// A lobe that sampling may choose.
@@ -149,6 +154,9 @@ pub struct ParamInfo {
     pub kind: ParamKind,
     /// Whether it may be given per call.
     pub can_vary: bool,
+    /// The parameter has an effect where all choices of one of these cases are made; none: always. Where it
+    /// has none, a description that gives it is refused.
+    pub used_with: &'static [&'static [Choice]],
 }
 
 impl ParamInfo {
@@ -161,6 +169,7 @@ impl ParamInfo {
             summary,
             kind,
             can_vary,
+            used_with: &[],
         }
     }
 
@@ -217,6 +226,19 @@ impl ParamInfo {
     /// With a unit.
     pub const fn in_unit(self, unit: &'static str) -> Self {
         Self { unit, ..self }
+    }
+
+    /// Has an effect only where all choices of one of the cases are made.
+    pub const fn used_with(self, cases: &'static [&'static [Choice]]) -> Self {
+        Self {
+            used_with: cases,
+            ..self
+        }
+    }
+
+    /// Whether it has an effect, given what is chosen for each parameter.
+    pub fn is_used(&self, chosen: impl Fn(usize) -> usize) -> bool {
+        self.used_with.is_empty() || is_any_made(self.used_with, chosen)
     }
 
     /// May not be given per call.

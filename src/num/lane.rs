@@ -6,7 +6,7 @@
 
 use super::Real;
 use super::rgb::{Triple, each};
-use super::table::{TableBlock, TableEntry};
+use super::table::{INDEX_BIAS, TableBlock, TableEntry};
 use super::table::{load_block, weighted};
 
 /// A real number that colours are made of; or several side by side, one for each of as many surfaces.
@@ -44,7 +44,8 @@ pub trait Lane: Real {
     /// # Panics
     /// If the table is empty.
     fn load_entry<const N: usize>(table: &[[Self::Scalar; N]], index: Self) -> [Self; N];
-    /// The weighted sum of three entries of a table, the first at `first`, a whole number in [0, 2^22].
+    /// The weighted sum of three entries of a table, the first at `first`, a whole number in [0, 2^22]
+    /// plus [`INDEX_BIAS`](super::table::INDEX_BIAS).
     ///
     /// # Panics
     /// If they are not all in the table.
@@ -129,7 +130,7 @@ macro_rules! side_by_side {
                 first: Self,
                 weights: [Self; 3],
             ) -> Triple<Self> {
-                let [row, ..] = load_block(table, first as usize, 0);
+                let [row, ..] = load_block(table, (f64::from(first) - INDEX_BIAS) as usize, 0);
                 weighted(row, weights.map(Self::gray))
             }
             #[inline(always)]
@@ -138,7 +139,9 @@ macro_rules! side_by_side {
                 stride: usize,
                 block: TableBlock<Self>,
             ) -> Triple<Self> {
-                let [column, row] = block.first.map(|number| number as usize);
+                let [column, row] = block
+                    .first
+                    .map(|biased| (f64::from(biased) - INDEX_BIAS) as usize);
                 let rows = load_block(table, row * stride + column, stride);
                 let across = block.across.map(Self::gray);
                 weighted(

@@ -18,14 +18,10 @@ pub(crate) use arctangent::angle_turns;
 pub use columns::{Columns, ColumnsMut};
 pub(crate) use error_function::{erfcx, erfinv};
 pub use lane::Lane;
-#[cfg(target_arch = "x86_64")]
-pub(crate) use lanes::load_block;
 pub use lanes::{F64x4, Level, Work, widest};
 pub use real::{Mask, Real};
 pub(crate) use rgb::each;
-#[cfg(not(target_arch = "x86_64"))]
-pub(crate) use table::load_block;
-pub(crate) use table::weighted;
+pub(crate) use table::INDEX_BIAS;
 pub use table::{TableBlock, TableEntry};
 pub use vec3::{Rgb, Vec3};
 

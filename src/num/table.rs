@@ -19,7 +19,7 @@ impl<T: Copy> TableEntry<T> {
 /// Which entries of a table, and their weights.
 #[derive(Clone, Copy, Debug)]
 pub struct TableBlock<T> {
-    /// Column and row of the first, whole numbers in [0, 2^22].
+    /// Column and row of the first, whole numbers in [0, 2^22], plus [`INDEX_BIAS`].
     pub first: [T; 2],
     /// Weights of the columns.
     pub across: [T; 3],
@@ -27,17 +27,19 @@ pub struct TableBlock<T> {
     pub along: [T; 3],
 }
 
-/// A whole number in [0, 2^22]; for others any.
+/// 2^23. Adding it to a number in [0, 2^22] rounds that to a whole number, which is then in the lowest
+/// bits: who rounds a position so has its index without another operation.
+pub(crate) const INDEX_BIAS: f64 = 8_388_608.0;
+
+/// The whole number in [0, 2^22] that [`INDEX_BIAS`] was added to; undefined for other arguments.
 #[inline(always)]
-pub(super) fn whole(number: f32) -> usize {
-    // From 2^23 on floats are whole, and count in their lowest bits.
-    const WHOLE: f32 = 8_388_608.0;
-    ((number + WHOLE).to_bits() & 0x007f_ffff) as usize
+pub(super) fn unbiased(biased: f32) -> usize {
+    (biased.to_bits() & 0x007f_ffff) as usize
 }
 
 /// The sum of three, each times its weight.
 #[inline(always)]
-pub(crate) fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
+pub(super) fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
     a * u + b * v + c * w
 }
 
@@ -47,7 +49,7 @@ pub(crate) fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
 /// # Panics
 /// If they are not all in the table.
 #[inline(always)]
-pub(crate) fn load_block<T: Copy>(
+pub(super) fn load_block<T: Copy>(
     table: &[TableEntry<T>],
     from: usize,
     stride: usize,

@@ -129,7 +129,7 @@ impl ChannelWeights {
 ///
 /// Between the 5 nm entries by Sprague's polynomial of degree 5 (CIE 167:2005), which is within
 /// 4.9e-4 of the published 1 nm table where linear interpolation is off by 1.7e-2; the colours of
-/// films agree with those of the 1 nm table within 6e-5 (`tests/optics_color.rs`).
+/// films agree with those of the 1 nm table within 6e-5 (`tests/optics/color.rs`).
 pub fn matching_functions(wavelength_nm: f64) -> [f64; 3] {
     let (row, t) = locate(wavelength_nm);
     std::array::from_fn(|i| {

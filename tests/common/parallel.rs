@@ -1,8 +1,8 @@
-//! The same work on many items, by as many threads as there are processors.
+//! Work on many items, on all processors.
 
 use std::sync::Mutex;
 
-/// What `work` makes of every item, in their order.
+/// The results of `work` for every item, in the order of the items.
 pub fn map<T: Sync, U: Send>(items: &[T], work: impl Fn(&T) -> U + Sync) -> Vec<U> {
     let queue = Mutex::new(items.iter().enumerate());
     let done = Mutex::new(Vec::with_capacity(items.len()));

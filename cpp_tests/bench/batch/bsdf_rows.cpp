@@ -72,7 +72,7 @@ void add_diffuse(Builder &builder) {
     builder.add("lambert", reflecting("lambert").create(), rounding, nullptr,
                 [](Direction wo, Direction wi, float, float *value) { plain::lambert(wo, wi, value); },
                 narrow::lambert, wide::lambert);
-    builder.add("oren_nayar, full", reflecting("oren_nayar").set("sigma", material::sigma).create(), rounding,
+    builder.add("oren_nayar, full", reflecting("oren_nayar").set("sigma_radians", material::sigma).create(), rounding,
                 nullptr, [](Direction wo, Direction wi, float, float *value) { plain::oren_nayar(wo, wi, value); },
                 narrow::oren_nayar, wide::oren_nayar);
     builder.add("disney_diffuse", reflecting("disney_diffuse").set("roughness", material::disney_roughness).create(),

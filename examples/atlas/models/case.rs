@@ -132,7 +132,7 @@ pub fn all() -> Vec<Case> {
 
 fn diffuse() -> Vec<Case> {
     let sigma = Axis {
-        name: "sigma",
+        name: "sigma_radians",
         last: std::f64::consts::FRAC_PI_2,
         ticks: &[0.0, 0.8],
         ..ROUGHNESS
@@ -148,13 +148,19 @@ fn diffuse() -> Vec<Case> {
         Case::new("lambert", &[], "", reflectance, |model, x| {
             model.set("reflectance", &[x])
         }),
-        Case::new("oren_nayar", &[("form", "full")], "", sigma, white("sigma")),
+        Case::new(
+            "oren_nayar",
+            &[("form", "full")],
+            "",
+            sigma,
+            white("sigma_radians"),
+        ),
         Case::new(
             "oren_nayar",
             &[("form", "qualitative")],
             "",
             sigma,
-            white("sigma"),
+            white("sigma_radians"),
         ),
         Case::new("disney_diffuse", &[], "", ROUGHNESS, white("roughness")),
     ]
@@ -204,7 +210,11 @@ fn distributions() -> Vec<Case> {
         case(
             &[("distribution", "ggx"), ("masking", "smith")],
             "stretched",
-            |model| model.set("anisotropy", &[1.0]).set("rotation", &[0.1]),
+            |model| {
+                model
+                    .set("anisotropy", &[1.0])
+                    .set("rotation_turns", &[0.1])
+            },
         ),
         case(
             &[("distribution", "ggx"), ("masking", "smith")],

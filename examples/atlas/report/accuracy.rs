@@ -7,7 +7,7 @@ use crate::atlas::scene::{Across, Scene};
 use crate::films::{self, Films, Swept, TOLERANCE};
 use crate::models::{self, Law, Models};
 use pellicle::bsdf;
-use pellicle::film::{Kind, Sensitivity};
+use pellicle::film::OneLayerMethod;
 use std::fmt::Write;
 
 /// Angles up to which a method's reach is counted, degrees.
@@ -37,16 +37,15 @@ pub fn accuracy(films: &Films, models: &Models) -> String {
 fn validity(contender: Contender) -> &'static str {
     match contender {
         Contender::Layered => "pictures that need not be right; angles of reflection by its lobes",
-        Contender::Kind(Kind::TwoBeam) => "film and base close in index, path below 500 nm",
-        Contender::Kind(Kind::AiryRgb) => "path below 500 nm; exact at thickness 0",
-        Contender::Kind(Kind::Quadrature(_)) => {
+        Contender::Kind(OneLayerMethod::TwoBeam) => {
+            "film and base close in index, path below 500 nm"
+        }
+        Contender::Kind(OneLayerMethod::AiryRgb) => "path below 500 nm; exact at thickness 0",
+        Contender::Kind(OneLayerMethod::Quadrature(_)) => {
             "2 n d below 900 nm times N less 4 um; not grazing soap"
         }
-        Contender::Kind(Kind::Bands(_)) => "any thickness; error as 1 / K^2",
-        Contender::Kind(Kind::Harmonics(Sensitivity::Gaussian, _)) => {
-            "weak bases; misfit of the curves remains"
-        }
-        Contender::Kind(Kind::Harmonics(..)) => {
+        Contender::Kind(OneLayerMethod::Bands(_)) => "any thickness; error as 1 / K^2",
+        Contender::Kind(OneLayerMethod::Harmonics(..)) => {
             "weak bases, any thickness; neither dispersion nor absorption"
         }
         Contender::Forced("series", _) => "any one film; sums every harmonic, slow",

@@ -6,7 +6,7 @@ use crate::atlas::map::{Found, Map};
 use crate::atlas::scene::{POINTS_PER_SIDE, Scene};
 use crate::films::{self, CELLS, Films, TOLERANCE};
 use crate::models::{Law, Models};
-use pellicle::film::Kind;
+use pellicle::film::OneLayerMethod;
 use std::fmt::Write;
 
 /// Less than this above 1, or below 0, is rounding.
@@ -39,7 +39,7 @@ pub fn atlas(films: &Films, models: &Models) -> String {
            is off everywhere: it convinces, it does not predict.\n\
          - `two_beam`: the same interference with exact Fresnel amplitudes and without the half.\n\
          - `airy_rgb`: all beams at three wavelengths, as in Adobe's openpbr-bsdf.\n\
-         - `harmonics 2, Gaussian` and `harmonics 3`: Belcour & Barla 2017, as in MaterialX and as in Cycles.\n\
+         - `harmonics 3`: Belcour & Barla 2017, as in Cycles.\n\
          - `quadrature`, `bands`, `series`, and films as the plan compiles them for a tolerance: ours.\n\
          \n\
          Below, both axes by their logarithm: what is worst for cut series is thin and grazing.\n\
@@ -191,7 +191,9 @@ fn what_goes_wrong(films: &Films) -> String {
 fn answer(contender: Contender) -> &'static str {
     match contender {
         Contender::Layered => "says so; a shading model, which no film uses",
-        Contender::Kind(Kind::Bands(_)) => "the plan takes as many bands as hold the tolerance",
+        Contender::Kind(OneLayerMethod::Bands(_)) => {
+            "the plan takes as many bands as hold the tolerance"
+        }
         Contender::Kind(_) => "never chosen unasked; by name only where it holds the tolerance",
         Contender::Forced(..) | Contender::Planned(_) => "within the tolerance",
     }

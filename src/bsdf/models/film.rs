@@ -91,6 +91,9 @@ impl Model for ThinFilm {
     }
 }
 
+/// Told by the plan of a BSDF whose film could transmit.
+const LOST_IN_BASE: &str = "what enters the base is absorbed, as the film keeps no transmittance";
+
 /// Whether light crosses the film to where it can be seen.
 fn transmits(film: &Film) -> bool {
     film.description().transmittance && !film.description().base.absorbs()
@@ -291,6 +294,7 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
     }
 
     fn plan(&self) -> Vec<&'static str> {
-        Vec::new()
+        let is_lost = self.refraction.is_none() && !self.film.description().base.absorbs();
+        is_lost.then_some(LOST_IN_BASE).into_iter().collect()
     }
 }

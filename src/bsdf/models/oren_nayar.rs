@@ -1,7 +1,7 @@
 //! # `oren_nayar`: a rough diffuse surface of V-shaped grooves
 //!
 //! Oren and Nayar 1994 ("Generalization of Lambert's Reflectance Model"): Lambertian facets in
-//! grooves whose slope angles are normally distributed with standard deviation `sigma`. Towards the
+//! grooves whose slope angles are normally distributed with standard deviation sigma, `sigma_radians`. Towards the
 //! light the surface looks brighter, and flatter than Lambert's. sigma = 0 is `lambert`. Use it for
 //! clay, cloth, concrete and the moon; give it a roughness of its own, as the grooves that make a
 //! highlight broad are smaller than light travels below the surface, and diffuse light does not see
@@ -46,7 +46,7 @@ use crate::num::{Lane, PI, Real, Rgb, Vec3, angle_turns, each};
 pub struct OrenNayar;
 
 const REFLECTANCE: usize = 0;
-const SIGMA: usize = 1;
+const SIGMA_RADIANS: usize = 1;
 const FORM: usize = 2;
 
 const QUALITATIVE: usize = 1;
@@ -64,7 +64,7 @@ impl Model for OrenNayar {
                 0.5,
             ),
             ParamInfo::number(
-                "sigma",
+                "sigma_radians",
                 "Standard deviation of the facets' slope angle; 0 is lambert.",
                 [0.0, std::f32::consts::FRAC_PI_2],
                 0.35,
@@ -87,7 +87,7 @@ impl Model for OrenNayar {
     fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
         Ok(kernel(OrenNayarSurface {
             reflectance: values.rgb(REFLECTANCE),
-            grooves: Grooves::new(values.number(SIGMA)),
+            grooves: Grooves::new(values.number(SIGMA_RADIANS)),
             is_qualitative: values.choice(FORM) == QUALITATIVE,
         }))
     }

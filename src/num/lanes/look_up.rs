@@ -6,7 +6,7 @@
 
 use super::super::lane::triple_methods;
 use super::super::rgb::{Triple, each};
-use super::super::table::{TableBlock, TableEntry, weighted, whole};
+use super::super::table::{INDEX_BIAS, TableBlock, TableEntry, unbiased, weighted};
 use super::super::{Lane, Real};
 use super::f32_lanes::F32Lanes;
 use super::instructions::{Instructions, MAX_LANES};
@@ -15,11 +15,11 @@ use fearless_simd::prelude::*;
 /// The four numbers of each lane's table entry, one register for each number.
 type Numbers<S> = [F32Lanes<S>; 4];
 
-/// [`whole`] of each lane.
+/// [`unbiased`] of each lane.
 #[inline(always)]
-fn whole_lanes<S: Instructions>(numbers: F32Lanes<S>) -> S::u32s {
-    let counted: S::u32s = (numbers + F32Lanes::new(8_388_608.0)).0.bitcast();
-    counted & 0x007f_ffff
+fn unbiased_lanes<S: Instructions>(biased: F32Lanes<S>) -> S::u32s {
+    let bits: S::u32s = biased.0.bitcast();
+    bits & 0x007f_ffff
 }
 
 /// The indices, after checking that each has at least `after` entries behind it in a table of `length`.
@@ -83,7 +83,10 @@ impl<S: Instructions> Lane for F32Lanes<S> {
         }
         let mut numbers = [[0.0; MAX_LANES]; N];
         for (place, index) in index.0.as_slice().iter().enumerate() {
-            for (numbers, number) in numbers.iter_mut().zip(table[whole(*index)]) {
+            for (numbers, number) in numbers
+                .iter_mut()
+                .zip(table[unbiased(*index + INDEX_BIAS as f32)])
+            {
                 numbers[place] = number;
             }
         }
@@ -120,7 +123,7 @@ pub(super) fn weighted_row<S: Instructions>(
     first: F32Lanes<S>,
     weights: [F32Lanes<S>; 3],
 ) -> Triple<F32Lanes<S>> {
-    let index = within::<S>(whole_lanes(first), 2, table.len());
+    let index = within::<S>(unbiased_lanes(first), 2, table.len());
     let weights = each!(weights, |weight| S::TOKEN.spread(weight.0));
     let start = table.as_ptr().cast();
     // SAFETY: `within` has found them all in the table.
@@ -147,7 +150,10 @@ pub(super) fn weighted_block<S: Instructions>(
     if stride >= table.len() {
         outside();
     }
-    let [column, row] = [whole_lanes(block.first[0]), whole_lanes(block.first[1])];
+    let [column, row] = [
+        unbiased_lanes(block.first[0]),
+        unbiased_lanes(block.first[1]),
+    ];
     // What wraps is still an index, if another one.
     let index = within::<S>(row * stride as u32 + column, 2 * stride + 2, table.len());
     let across = each!(block.across, |weight| S::TOKEN.spread(weight.0));
@@ -212,7 +218,11 @@ unsafe fn block_sum<S: Instructions>(
 /// The four numbers of each lane's entry.
 #[inline(always)]
 pub(super) fn entries<S: Instructions>(table: &[[f32; 4]], index: F32Lanes<S>) -> Numbers<S> {
-    let index = within::<S>(whole_lanes(index), 0, table.len());
+    let index = within::<S>(
+        unbiased_lanes(index + F32Lanes::new(INDEX_BIAS)),
+        0,
+        table.len(),
+    );
     let start = table.as_ptr();
     // SAFETY: `within` has found them all in the table.
     let found = unsafe {
@@ -275,6 +285,7 @@ mod tests {
                 let places = from..from + L::COUNT;
                 let load = |numbers: &[f32; MAX_LANES]| L::load(&numbers[places.clone()]);
                 let [column, row, index] = self.first.each_ref().map(load);
+                let [column, row] = [column, row].map(|number| number + L::new(INDEX_BIAS));
                 let [a, b, c, d, e, f] = self.weights.each_ref().map(load);
                 let block = TableBlock {
                     first: [column, row],

@@ -12,5 +12,3 @@ mod rgb_sse2;
 pub use dispatch::widest;
 pub use f64x4::F64x4;
 pub use level::{Level, Work};
-#[cfg(target_arch = "x86_64")]
-pub use rgb_sse2::load_block;

@@ -5,7 +5,7 @@
 
 use super::super::lane::scalar_methods;
 use super::super::real::{EXPONENT_SHIFT, SQRT_HALF_BITS};
-use super::super::table::{TableBlock, TableEntry, weighted, whole};
+use super::super::table::{TableBlock, TableEntry, unbiased, weighted};
 use super::super::{Lane, Mask, Real};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -47,7 +47,7 @@ impl Lane for f32 {
     scalar_methods!();
     #[inline(always)]
     fn weighted_row(table: &[TableEntry<f32>], first: f32, weights: [f32; 3]) -> RgbLanes {
-        let [row, ..] = load_block(table, whole(first), 0);
+        let [row, ..] = load_block(table, unbiased(first), 0);
         weighted(row, weights.map(f32::gray))
     }
     #[inline(always)]
@@ -56,7 +56,7 @@ impl Lane for f32 {
         stride: usize,
         block: TableBlock<f32>,
     ) -> RgbLanes {
-        let [column, row] = block.first.map(whole);
+        let [column, row] = block.first.map(unbiased);
         let rows = load_block(table, row * stride + column, stride);
         let across = block.across.map(f32::gray);
         weighted(
@@ -72,7 +72,7 @@ impl Lane for f32 {
 /// # Panics
 /// If they are not all in the table.
 #[inline(always)]
-pub fn load_block(table: &[TableEntry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
+fn load_block(table: &[TableEntry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
     // No sum overflows, as a slice's bytes are at most isize::MAX.
     if stride >= table.len() || from >= table.len() || from + 2 * stride + 2 >= table.len() {
         outside();

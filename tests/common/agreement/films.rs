@@ -4,7 +4,7 @@
 use super::batch::reflectances;
 use super::row::{Quantity, Row};
 use crate::common::films::{bare, constant, medium, soap};
-use pellicle::film::{Film, FilmDescription, Kind, METHODS, Method, OneLayer, Sensitivity};
+use pellicle::film::{CompiledMethod, Film, FilmDescription, METHODS, OneLayer, OneLayerMethod};
 use pellicle::num::Level;
 use pellicle::optics::{dielectric_reflectance, schlick};
 use rand::{Rng, RngExt};
@@ -23,7 +23,7 @@ enum Truth {
     /// Fresnel's equations for this relative index.
     Fresnel(f64),
     /// The method in double precision.
-    Method(Box<dyn Method<f64>>),
+    Method(Box<dyn CompiledMethod<f64>>),
     /// Converged wave optics, which is slow: at one in so many elements.
     Reference(usize),
 }
@@ -108,7 +108,7 @@ impl Subject {
             }
             "table" => Truth::Reference(50),
             "series" | "reference" => Truth::Reference(1),
-            _ => Truth::Method(kind(&film).compile(&layer(&description)).unwrap()),
+            _ => Truth::Method(kind(&film).double(&layer(&description)).unwrap()),
         };
         Some(Self {
             method,
@@ -235,17 +235,19 @@ impl Subject {
 }
 
 /// The method and size that a plan's reason begins with.
-fn kind(film: &Film) -> Kind {
+fn kind(film: &Film) -> OneLayerMethod {
     let reason = film.plan().reason.as_str();
     let sizes = 1..=256;
     let sized = sizes.flat_map(|n| {
         [
-            Kind::Quadrature(n),
-            Kind::Bands(n),
-            Kind::Harmonics(Sensitivity::Tabulated, n),
+            OneLayerMethod::Quadrature(n),
+            OneLayerMethod::Bands(n),
+            OneLayerMethod::Harmonics(n),
         ]
     });
-    let mut kinds = [Kind::TwoBeam, Kind::AiryRgb].into_iter().chain(sized);
+    let mut kinds = [OneLayerMethod::TwoBeam, OneLayerMethod::AiryRgb]
+        .into_iter()
+        .chain(sized);
     let found = kinds.find(|kind| reason.starts_with(&format!("{}:", kind.cost())));
     found.unwrap_or_else(|| panic!("no method is '{reason}'"))
 }

@@ -2,7 +2,7 @@
 
 use super::scene::Scene;
 use super::stack::Stack;
-use pellicle::film::{Film, FilmDescription, Kind, Method, OneLayer, Sensitivity};
+use pellicle::film::{CompiledMethod, Film, FilmDescription, OneLayer, OneLayerMethod};
 use pellicle::num::Rgb;
 use pellicle::optics::RGB_WAVELENGTHS_NM;
 use pellicle::{Bsdf, Description};
@@ -14,7 +14,7 @@ pub enum Contender {
     /// The model `layered`, variant `paper`, at the mirror direction (GH02 eq. 5).
     Layered,
     /// A method for one film on a base.
-    Kind(Kind),
+    Kind(OneLayerMethod),
     /// A film made to use a method, within a tolerance.
     Forced(&'static str, f64),
     /// A film as the plan compiles it for a tolerance.
@@ -35,30 +35,29 @@ pub const FORCED: [&str; 7] = [
 /// A contender, ready for a stack.
 pub enum Compiled {
     Layered(Box<(Bsdf<f32>, Bsdf<f64>)>),
-    Method(Box<OneLayerMethod>),
+    Method(Box<CompiledTwice>),
     Film(Box<Film>),
     /// Why it does not take the stack.
     Refused(String),
 }
 
 /// A method in single precision, and when it is asked for in double.
-pub struct OneLayerMethod {
-    kind: Kind,
+pub struct CompiledTwice {
+    kind: OneLayerMethod,
     layer: OneLayer,
-    single: Box<dyn Method<f32>>,
-    double: OnceCell<Box<dyn Method<f64>>>,
+    single: Box<dyn CompiledMethod<f32>>,
+    double: OnceCell<Box<dyn CompiledMethod<f64>>>,
 }
 
 impl Contender {
     /// The columns of the pictures, from the paper's model to ours.
-    pub const DRAWN: [Self; 10] = [
+    pub const DRAWN: [Self; 9] = [
         Self::Layered,
-        Self::Kind(Kind::TwoBeam),
-        Self::Kind(Kind::AiryRgb),
-        Self::Kind(Kind::Harmonics(Sensitivity::Gaussian, 2)),
-        Self::Kind(Kind::Harmonics(Sensitivity::Tabulated, 3)),
-        Self::Kind(Kind::Quadrature(16)),
-        Self::Kind(Kind::Bands(32)),
+        Self::Kind(OneLayerMethod::TwoBeam),
+        Self::Kind(OneLayerMethod::AiryRgb),
+        Self::Kind(OneLayerMethod::Harmonics(3)),
+        Self::Kind(OneLayerMethod::Quadrature(16)),
+        Self::Kind(OneLayerMethod::Bands(32)),
         Self::Forced("series", 2e-3),
         Self::Planned(2e-3),
         Self::Planned(2e-4),
@@ -66,9 +65,9 @@ impl Contender {
 
     /// Those that the tables have besides.
     pub const FURTHER: [Self; 5] = [
-        Self::Kind(Kind::Quadrature(64)),
-        Self::Kind(Kind::Harmonics(Sensitivity::Tabulated, 16)),
-        Self::Kind(Kind::Bands(256)),
+        Self::Kind(OneLayerMethod::Quadrature(64)),
+        Self::Kind(OneLayerMethod::Harmonics(16)),
+        Self::Kind(OneLayerMethod::Bands(256)),
         Self::Forced("table", 2e-3),
         Self::Planned(1e-2),
     ];
@@ -77,14 +76,11 @@ impl Contender {
     pub fn name(self) -> String {
         match self {
             Self::Layered => "layered, paper".into(),
-            Self::Kind(Kind::TwoBeam) => "two_beam".into(),
-            Self::Kind(Kind::AiryRgb) => "airy_rgb".into(),
-            Self::Kind(Kind::Quadrature(count)) => format!("quadrature {count}"),
-            Self::Kind(Kind::Bands(count)) => format!("bands {count}"),
-            Self::Kind(Kind::Harmonics(Sensitivity::Gaussian, order)) => {
-                format!("harmonics {order}, Gaussian")
-            }
-            Self::Kind(Kind::Harmonics(Sensitivity::Tabulated, order)) => {
+            Self::Kind(OneLayerMethod::TwoBeam) => "two_beam".into(),
+            Self::Kind(OneLayerMethod::AiryRgb) => "airy_rgb".into(),
+            Self::Kind(OneLayerMethod::Quadrature(count)) => format!("quadrature {count}"),
+            Self::Kind(OneLayerMethod::Bands(count)) => format!("bands {count}"),
+            Self::Kind(OneLayerMethod::Harmonics(order)) => {
                 format!("harmonics {order}")
             }
             Self::Forced(method, tolerance) => format!("{method}, {tolerance:e}"),
@@ -142,7 +138,7 @@ impl Compiled {
                 value.map(|channel| channel / cos_theta)
             }
             Self::Method(method) => {
-                let compile = || method.kind.compile(&method.layer).unwrap();
+                let compile = || method.kind.double(&method.layer).unwrap();
                 let double = method.double.get_or_init(compile);
                 double.reflectance(cos_theta, thickness_nm)
             }
@@ -151,11 +147,11 @@ impl Compiled {
     }
 }
 
-fn method(kind: Kind, stack: &Stack) -> Compiled {
+fn method(kind: OneLayerMethod, stack: &Stack) -> Compiled {
     let layer = stack.one_layer();
-    Compiled::Method(Box::new(OneLayerMethod {
+    Compiled::Method(Box::new(CompiledTwice {
         kind,
-        single: kind.compile(&layer).unwrap(),
+        single: kind.single(&layer).unwrap(),
         double: OnceCell::new(),
         layer,
     }))

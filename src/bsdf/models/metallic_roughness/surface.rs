@@ -1,8 +1,8 @@
 //! The compiled model, and the surface that it is for one call.
 
 use super::{
-    BASE_COLOR, DIFFUSE, DIFFUSE_LOBE, DIFFUSE_ROUGHNESS, DISNEY, ETA, F0, INDEX, METALLIC,
-    OREN_NAYAR, ROUGHNESS, SPECULAR, SPECULAR_LOBE,
+    BASE_COLOR, DIELECTRIC_FROM, DIFFUSE_FORM, DIFFUSE_LOBE, DIFFUSE_ROUGHNESS, DISNEY, ETA, F0,
+    FROM_ETA, METALLIC, OREN_NAYAR, ROUGHNESS, SIGMA_RADIANS, SPECULAR_LOBE,
 };
 use crate::bsdf::compiled::Compiled;
 use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, normalized};
@@ -66,8 +66,7 @@ impl<T: Precision> CompiledMaterial<T> {
         } else {
             Energy::of_alpha(alpha, |wo, u| lobe(alpha, wo, u))
         };
-        let is_by_index = values.choice(SPECULAR) == INDEX;
-        let roughness = values.number(DIFFUSE_ROUGHNESS);
+        let is_by_index = values.choice(DIELECTRIC_FROM) == FROM_ETA;
         let settings = Settings {
             base_color: T::rgb(values.rgb(BASE_COLOR)),
             metallic: values.number(METALLIC),
@@ -79,9 +78,9 @@ impl<T: Precision> CompiledMaterial<T> {
             } else {
                 values.number(F0)
             },
-            diffuse: match values.choice(DIFFUSE) {
-                OREN_NAYAR => DiffuseForm::OrenNayar(Grooves::new(roughness)),
-                DISNEY => DiffuseForm::Disney(roughness),
+            diffuse: match values.choice(DIFFUSE_FORM) {
+                OREN_NAYAR => DiffuseForm::OrenNayar(Grooves::new(values.number(SIGMA_RADIANS))),
+                DISNEY => DiffuseForm::Disney(values.number(DIFFUSE_ROUGHNESS)),
                 _ => DiffuseForm::Lambert,
             },
         };
@@ -198,13 +197,10 @@ impl<P: Precision, T: Lane<Scalar = P>> Surface<T> for MaterialSurface<'_, T> {
                 settings.alpha = alpha_of(number);
                 settings.row = self.energy.row(settings.alpha);
             }
-            ETA if settings.is_by_index => settings.f0 = normal_reflectance(T::new(1.0), number),
-            F0 if !settings.is_by_index => settings.f0 = number,
-            DIFFUSE_ROUGHNESS => match &mut settings.diffuse {
-                DiffuseForm::Lambert => {}
-                DiffuseForm::OrenNayar(facets) => *facets = Grooves::new(number),
-                DiffuseForm::Disney(roughness) => *roughness = number,
-            },
+            ETA => settings.f0 = normal_reflectance(T::new(1.0), number),
+            F0 => settings.f0 = number,
+            SIGMA_RADIANS => settings.diffuse = DiffuseForm::OrenNayar(Grooves::new(number)),
+            DIFFUSE_ROUGHNESS => settings.diffuse = DiffuseForm::Disney(number),
             _ => {}
         }
     }

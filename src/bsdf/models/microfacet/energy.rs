@@ -28,7 +28,7 @@ use super::masking::Masking;
 use super::ndf::Ndf;
 use crate::bsdf::precision::Precision;
 use crate::num::spline::{controls, weights};
-use crate::num::{Lane, Real, Rgb, TableBlock, TableEntry, Vec3, each};
+use crate::num::{INDEX_BIAS, Lane, Real, Rgb, TableBlock, TableEntry, Vec3, each};
 
 /// Values along the cosine and, if there is more than one, along alpha.
 const COSINES: usize = 20;
@@ -151,7 +151,7 @@ impl<T: Precision> Energy<T> {
     #[inline(always)]
     pub fn row<L: Lane<Scalar = T>>(&self, alpha: L) -> Row<L> {
         let (first, along) = if self.is_fixed {
-            (L::new(0.0), weights(L::new(0.0)))
+            (L::new(INDEX_BIAS), weights(L::new(0.0)))
         } else {
             let least = L::new(LEAST_ALPHA.cbrt());
             let step = L::new((ALPHAS - 1) as f64 / (1.0 - LEAST_ALPHA.cbrt()));
@@ -235,12 +235,12 @@ impl<T: Lane<Scalar = T>> Row<T> {
     }
 }
 
-/// The whole number in [0, count) nearest to a position, and the distance from it.
+/// The whole number in [0, count) nearest to a position, plus [`INDEX_BIAS`], and the distance from it.
 #[inline(always)]
 fn nearest<T: Real>(position: T, count: usize) -> (T, T) {
     let index = position.round().max(T::new(0.0));
     let index = index.min(T::new((count - 1) as f64));
-    (index, position - index)
+    (index + T::new(INDEX_BIAS), position - index)
 }
 
 fn packed<T: Real>([whole, difference, _]: Rgb<f64>) -> TableEntry<T> {

@@ -91,11 +91,17 @@ impl<T: Precision> CompiledFresnel<T> {
     }
 
     /// See [`Kernel::plan`](crate::bsdf::kernel::Kernel::plan).
-    pub fn plan(&self) -> Option<&'static str> {
+    pub fn plan(&self) -> Vec<&'static str> {
+        const LOST_IN_BASE: &str =
+            "what enters the facets is absorbed, as this model only reflects";
         match self {
-            Self::Dielectric { is_gray: true, .. } => Some("one index for all channels"),
-            Self::Polynomial(_) => Some("conductor by polynomials"),
-            _ => None,
+            Self::Dielectric { is_gray: true, .. } => {
+                vec!["one index for all channels", LOST_IN_BASE]
+            }
+            Self::Dielectric { .. } => vec![LOST_IN_BASE],
+            Self::Polynomial(_) => vec!["conductor by polynomials"],
+            Self::Film { film, .. } if !film.description().base.absorbs() => vec![LOST_IN_BASE],
+            _ => Vec::new(),
         }
     }
 

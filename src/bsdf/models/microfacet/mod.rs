@@ -18,7 +18,7 @@
 //! exchanged. A roughness slider's alpha is usually its square (Burley 2012). A Phong exponent e has
 //! alpha = sqrt(2 / (e + 2)) (Walter et al. 2007, section 5.2, for the normals' exponent). `ggx` and
 //! `beckmann` can be stretched: by `anisotropy` to alpha / a along and alpha a across, a =
-//! sqrt(1 - 0.9 anisotropy) (Burley 2012), the rougher direction `rotation` turns from +X. alpha = 0 is a
+//! sqrt(1 - 0.9 anisotropy) (Burley 2012), the rougher direction `rotation_turns` turns from +X. alpha = 0 is a
 //! perfect mirror; between 0 and 1e-4 single precision has no digits left, and the description is refused.
 //! The other three have tables for one alpha: theirs cannot vary.
 //!
@@ -116,6 +116,7 @@ const GGX: usize = 0;
 const BECKMANN: usize = 1;
 const BLINN_PHONG: usize = 2;
 const ABC: usize = 3;
+const SGD: usize = 4;
 
 /// Choices of `masking`.
 const SCHLICK_MASKING: usize = 1;
@@ -137,6 +138,23 @@ const CUSTOM: usize = 0;
 const METALS: &[&str] = &[
     "custom", "Ag", "Al", "Au", "Cr", "Cu", "Fe", "Ni", "Pt", "Ti",
 ];
+
+const WITH_SCHLICK: &[&[Choice]] = &[&[chosen(FRESNEL, SCHLICK)]];
+const WITH_CONDUCTOR: &[&[Choice]] = &[&[chosen(FRESNEL, CONDUCTOR)]];
+const WITH_K: &[&[Choice]] = &[&[chosen(FRESNEL, CONDUCTOR), chosen(METAL, CUSTOM)]];
+const WITH_ETA: &[&[Choice]] = &[
+    &[chosen(FRESNEL, DIELECTRIC)],
+    &[chosen(FRESNEL, CONDUCTOR), chosen(METAL, CUSTOM)],
+];
+/// The distributions that can be stretched.
+const WITH_STRETCH: &[&[Choice]] = &[
+    &[chosen(DISTRIBUTION, GGX)],
+    &[chosen(DISTRIBUTION, BECKMANN)],
+];
+
+const fn chosen(param: usize, choice: usize) -> Choice {
+    Choice { param, choice }
+}
 
 /// Least roughness that is not a mirror's.
 const LEAST_ALPHA: f32 = 1e-4;
@@ -190,19 +208,20 @@ impl Model for Microfacet {
             ),
             ParamInfo::number("alpha", "Roughness: 0 is a perfect mirror, else at least 1e-4; the square of a roughness slider, sqrt(2 / (e + 2)) for a Phong exponent e. Varies for ggx and beckmann.", [0.0, 1.0], 0.3),
             ParamInfo::number("anisotropy", "Stretch of the highlight, ggx and beckmann only: alpha over and times sqrt(1 - 0.9 anisotropy) along and across.", [0.0, 1.0], 0.0),
-            ParamInfo::number("rotation", "Angle from +X to the rougher axis about +Z.", [0.0, 1.0], 0.0).in_unit("turns"),
-            ParamInfo::rgb("f0", "Reflectance at normal incidence, RGB (fresnel schlick).", [0.0, 1.0], 0.04),
-            ParamInfo::rgb("f90", "Reflectance at grazing incidence, RGB (fresnel schlick).", [0.0, 1.0], 1.0).fixed(),
-            ParamInfo::rgb("eta", "Refractive index, RGB (fresnel dielectric, at least 1, and conductor).", [0.01, 10.0], 1.5).fixed(),
-            ParamInfo::rgb("k", "Extinction coefficient, RGB (fresnel conductor).", [0.0, 20.0], 0.0).fixed(),
+            ParamInfo::number("rotation_turns", "Angle from +X to the rougher axis about +Z.", [0.0, 1.0], 0.0).in_unit("turns").used_with(WITH_STRETCH),
+            ParamInfo::rgb("f0", "Reflectance at normal incidence, RGB (fresnel schlick).", [0.0, 1.0], 0.04).used_with(WITH_SCHLICK),
+            ParamInfo::rgb("f90", "Reflectance at grazing incidence, RGB (fresnel schlick).", [0.0, 1.0], 1.0).fixed().used_with(WITH_SCHLICK),
+            ParamInfo::rgb("eta", "Refractive index, RGB (fresnel dielectric, at least 1, and conductor).", [0.01, 10.0], 1.5).fixed().used_with(WITH_ETA),
+            ParamInfo::rgb("k", "Extinction coefficient, RGB (fresnel conductor).", [0.0, 20.0], 0.0).fixed().used_with(WITH_K),
             ParamInfo::choice(
                 "metal",
                 "Fresnel conductor: custom takes eta and k, a metal its measured spectrum.",
                 METALS,
-            ),
+            )
+            .used_with(WITH_CONDUCTOR),
             ParamInfo::number("thickness_nm", "Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does (fresnel film).", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit("nm"),
-            ParamInfo::number("abc_exponent", "Steepness of the tail, the lecture's second parameter (distribution abc).", [0.5, 10.0], 1.2).fixed(),
-            ParamInfo::number("sgd_p", "Power of the tail; 0 is beckmann (distribution sgd).", [0.0, 4.0], 0.44).fixed(),
+            ParamInfo::number("abc_exponent", "Steepness of the tail, the lecture's second parameter (distribution abc).", [0.5, 10.0], 1.2).fixed().used_with(&[&[chosen(DISTRIBUTION, ABC)]]),
+            ParamInfo::number("sgd_p", "Power of the tail; 0 is beckmann (distribution sgd).", [0.0, 4.0], 0.44).fixed().used_with(&[&[chosen(DISTRIBUTION, SGD)]]),
             ParamInfo::choice(
                 "energy_compensation",
                 "on: light that masking takes away comes back as if reflected by further facets; not for stretched surfaces.",
@@ -211,20 +230,11 @@ impl Model for Microfacet {
         ],
         lobes: LOBES,
         film_thickness: Some(THICKNESS_NM),
-        film_choice: Some(Choice {
-            param: FRESNEL,
-            choice: FILM,
-        }),
+        film_choice: Some(chosen(FRESNEL, FILM)),
         not_conserving: Some(Exception {
             cases: &[&[
-                Choice {
-                    param: DISTRIBUTION,
-                    choice: ABC,
-                },
-                Choice {
-                    param: MASKING,
-                    choice: SCHLICK_MASKING,
-                },
+                chosen(DISTRIBUTION, ABC),
+                chosen(MASKING, SCHLICK_MASKING),
             ]],
             reason: "distribution = abc with masking = schlick: the printed k follows from alpha alone, and the tail's facets are steeper",
         }),
