@@ -267,16 +267,8 @@ fn outputs_may_be_an_inputs_memory() {
             let output = single.as_mut_ptr();
             // SAFETY: a live handle, arrays and outputs as long as they must be.
             unsafe {
-                pellicle_bsdf_eval(
-                    bsdf,
-                    from.as_ptr(),
-                    to.as_ptr(),
-                    null(),
-                    null(),
-                    output,
-                    null_mut(),
-                    null_mut(),
-                )
+                let (wo, wi, no) = (from.as_ptr(), to.as_ptr(), null_mut());
+                pellicle_bsdf_eval(bsdf, wo, wi, null(), null(), output, no, no)
             };
             assert_eq!(wi.get(i), bits(single));
         }
@@ -295,7 +287,8 @@ fn structs_are_read_and_written_up_to_the_size_given() {
         let pointer = sample.as_mut_ptr().cast();
         // SAFETY: a live handle, and `size` bytes.
         let status = unsafe {
-            pellicle_bsdf_sample(bsdf, wo.as_ptr(), u.as_ptr(), null(), null(), pointer, size)
+            let (wo, u) = (wo.as_ptr(), u.as_ptr());
+            pellicle_bsdf_sample(bsdf, wo, u, null(), null(), pointer, size)
         };
         // No version of a struct ends within a number.
         let is_whole = size.is_multiple_of(align_of::<PellicleSample>());

@@ -8,7 +8,7 @@ use super::guarded::Guarded;
 use super::outcome::succeeded;
 use super::subjects::{Subject, subject};
 use pellicle::capi::*;
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 const MOST_ELEMENTS: usize = 300;
 /// The most that a view may span; wider strides are narrowed.
@@ -203,6 +203,13 @@ fn flat(arrays: &[Array], i: usize) -> Vec<f32> {
     all.map(|(array, c)| number(array, c)).collect()
 }
 
+/// An output that is not wanted.
+const NO_VIEW: PellicleView = PellicleView {
+    data: null_mut(),
+    element_stride: 0,
+    component_stride: 0,
+};
+
 fn bits<const N: usize>(numbers: [f32; N]) -> [u32; N] {
     numbers.map(f32::to_bits)
 }
@@ -219,8 +226,10 @@ fn eval(subject: &Subject, count: usize, bytes: &mut Bytes) {
         wi: wi.const_view(),
         varying: views.as_ptr(),
         varying_count: views.len(),
+        call: null(),
         value: value.view(),
         pdf: pdf.view(),
+        pdf_reverse: NO_VIEW,
     };
     // SAFETY: the handle lives on; all views are of arrays of `count` elements.
     let status = unsafe { pellicle_bsdf_eval_batch(subject.bsdf, &args, size_of_val(&args)) };
@@ -236,8 +245,10 @@ fn eval(subject: &Subject, count: usize, bytes: &mut Bytes) {
                 wo,
                 wi,
                 varying,
+                null(),
                 single.as_mut_ptr(),
                 &mut density,
+                null_mut(),
             );
         }
         assert_eq!(
@@ -282,12 +293,14 @@ fn sample(subject: &Subject, count: usize, bytes: &mut Bytes) {
         u: u.const_view(),
         varying: views.as_ptr(),
         varying_count: views.len(),
+        call: null(),
         wi: wanted_view(0, &wi),
         pdf: wanted_view(1, &pdf),
         weight: wanted_view(2, &weight),
         eta: wanted_view(3, &eta),
         flags: flags.uint_view(),
         lobe: lobe.uint_view(),
+        lobe_probability: NO_VIEW,
     };
     // SAFETY: the handle lives on; all views are of arrays of `count` elements.
     let status = unsafe { pellicle_bsdf_sample_batch(subject.bsdf, &args, size_of_val(&args)) };
@@ -299,7 +312,7 @@ fn sample(subject: &Subject, count: usize, bytes: &mut Bytes) {
         // SAFETY: arrays and outputs are as long as they must be.
         unsafe {
             let (wo, u, varying) = (wo.as_ptr(), u.as_ptr(), varying.as_ptr());
-            pellicle_bsdf_sample(subject.bsdf, wo, u, varying, &mut single, size);
+            pellicle_bsdf_sample(subject.bsdf, wo, u, varying, null(), &mut single, size);
         }
         let is_wanted = |bit: u8| wanted >> bit & 1 == 1;
         assert!(
@@ -394,10 +407,12 @@ fn refused(subject: &Subject, bytes: &mut Bytes) {
         count,
         wo: read(0),
         wi: read(1),
-        varying: std::ptr::null(),
+        varying: null(),
         varying_count: 0,
+        call: null(),
         value: view(2),
         pdf: view(if strides[0] == 0 { 4 } else { 3 }),
+        pdf_reverse: NO_VIEW,
     };
     let is_needed = wrong < 3 || strides[0] != 0;
     if !is_needed {

@@ -57,6 +57,7 @@ pub fn run(data: &[u8]) {
             _ if info.name == "film" => film(bytes.index(256)),
             _ => null(),
         },
+        simd_level: null(),
     };
     let mut handle = Output::<*mut PellicleBsdf>::new();
     let size = match bytes.byte() {

@@ -31,6 +31,15 @@ const FAILURES: [PellicleStatus; 5] = [
 struct Memory {
     texts: Texts,
     tables: Vec<[Vec<f32>; 3]>,
+    /// Boxed, so that layers can point to them while more are added.
+    media: Vec<Box<PellicleMedium>>,
+}
+
+impl Memory {
+    fn keep(&mut self, medium: PellicleMedium) -> *const PellicleMedium {
+        self.media.push(Box::new(medium));
+        &raw const *self.media[self.media.len() - 1]
+    }
 }
 
 pub fn run(data: &[u8]) {
@@ -45,8 +54,10 @@ pub fn run(data: &[u8]) {
         _ => layers.len(),
     };
     let desc = PellicleFilmDesc {
+        medium_size: size_of::<PellicleMedium>(),
+        layer_size: size_of::<PellicleLayer>(),
         ambient: if bytes.byte() % 2 == 0 {
-            NO_MEDIUM
+            null()
         } else {
             medium(bytes, memory)
         },
@@ -63,6 +74,7 @@ pub fn run(data: &[u8]) {
         method: memory.texts.optional_name(bytes, &METHODS),
         unclipped: u32::from(bytes.byte() / 64),
         transmittance: u32::from(bytes.byte() / 64),
+        simd_level: null(),
     };
     let mut handle = Output::<*mut PellicleFilm>::new();
     // SAFETY: all that the description names is alive; counts beyond the layers are refused.
@@ -96,7 +108,7 @@ const NO_MEDIUM: PellicleMedium = PellicleMedium {
     table_count: 0,
 };
 
-fn medium(bytes: &mut Bytes, memory: &mut Memory) -> PellicleMedium {
+fn medium(bytes: &mut Bytes, memory: &mut Memory) -> *const PellicleMedium {
     let mut medium = NO_MEDIUM;
     let kind = bytes.byte();
     if kind % 8 < 3 || kind > 240 {
@@ -127,7 +139,7 @@ fn medium(bytes: &mut Bytes, memory: &mut Memory) -> PellicleMedium {
         medium.table_count = count;
         memory.tables.push(table);
     }
-    medium
+    memory.keep(medium)
 }
 
 fn layer(bytes: &mut Bytes, memory: &mut Memory) -> PellicleLayer {

@@ -40,8 +40,10 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
             wo.as_ptr(),
             wi.as_ptr(),
             varying,
+            null(),
             value.pointer().cast(),
             pdf.pointer(),
+            null_mut(),
         );
         assert_eq!(status, PELLICLE_OK);
         must_be_within(&value.get(), f32::INFINITY);
@@ -53,8 +55,10 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
             wo.as_ptr(),
             wi.as_ptr(),
             varying,
+            null(),
             outputs.0,
             outputs.1,
+            null_mut(),
         );
         assert_eq!(status, PELLICLE_OK);
         assert_eq!(
@@ -70,6 +74,7 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
             wo.as_ptr(),
             u.as_ptr(),
             varying,
+            null(),
             sample.pointer(),
             size,
         );
@@ -79,7 +84,8 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
         // Milliseconds: seldom.
         if bytes.byte() == 1 {
             let mut albedo = Output::<[f32; 3]>::new();
-            let status = pellicle_bsdf_albedo(bsdf, wo.as_ptr(), varying, albedo.pointer().cast());
+            let output = albedo.pointer().cast();
+            let status = pellicle_bsdf_albedo(bsdf, wo.as_ptr(), varying, null(), output);
             assert_eq!(status, PELLICLE_OK);
             must_be_within(&albedo.get(), f32::INFINITY);
         }
@@ -90,7 +96,9 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
             null(),
             wi.as_ptr(),
             varying,
+            null(),
             refused.pointer().cast(),
+            null_mut(),
             null_mut(),
         );
         assert!(!succeeded(status, &[PELLICLE_INVALID_ARGUMENT]));

@@ -78,7 +78,7 @@ pub fn film(number: usize) -> *const PellicleFilm {
                 ..films::tinted()
             }),
         };
-        Handle(film_handle(film))
+        Handle(film_handle(film, None).unwrap())
     });
     made.0
 }
