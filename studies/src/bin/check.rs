@@ -26,6 +26,7 @@ fn main() -> ExitCode {
             let settings = f32_vs_f64::Settings {
                 seed: arguments.seed,
                 evaluations: arguments.evaluations.unwrap_or(100_000_000),
+                surface_elements: 2043,
             };
             let rows = f32_vs_f64::run(&settings);
             f32_vs_f64::report::print(&settings, &rows);
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
             let tally = random_bounds::run(&random_bounds::Settings {
                 seed: arguments.seed,
                 evaluations: arguments.evaluations.unwrap_or(1_000_000_000),
+                elements: 1024,
                 batches: 512,
             });
             random_bounds::report::print(&tally);

@@ -30,11 +30,11 @@ pub struct Settings {
     pub seed: u64,
     /// The least number of elements of all rows together.
     pub evaluations: u64,
+    /// The number of elements at which a surface is sampled, and evaluated.
+    pub surface_elements: usize,
 }
 
-/// The elements at which a surface is sampled, and evaluated; and those of a film in one batch. They are no
-/// multiples of what batches are cut into.
-const SURFACE_ELEMENTS: usize = 2043;
+/// The elements of a film in one batch. It is no multiple of what batches are cut into.
 const FILM_ELEMENTS: usize = 4091;
 
 enum Task {
@@ -50,15 +50,14 @@ impl Task {
         }
     }
 
-    /// One part of at most `left` elements.
-    fn check(&self, seed: u64, left: usize) -> Row {
+    /// One part of at most `most` elements.
+    fn check(&self, seed: u64, most: usize) -> Row {
         let (mut row, mut rng) = (self.row(), rng(seed));
         match self {
             Self::Model(variant) => {
-                let count = SURFACE_ELEMENTS.min(left.div_ceil(2));
-                surface::check(variant, count, &mut rng, &mut row);
+                surface::check(variant, most.div_ceil(2), &mut rng, &mut row);
             }
-            Self::Film(film) => film.check(FILM_ELEMENTS.min(left), &mut rng, &mut row),
+            Self::Film(film) => film.check(most, &mut rng, &mut row),
         }
         row
     }
@@ -71,9 +70,9 @@ impl Task {
         }
     }
 
-    fn part(&self) -> usize {
+    fn part(&self, settings: &Settings) -> usize {
         match self {
-            Self::Model(_) => 2 * SURFACE_ELEMENTS,
+            Self::Model(_) => 2 * settings.surface_elements,
             Self::Film(_) => FILM_ELEMENTS,
         }
     }
@@ -87,14 +86,14 @@ pub fn run(settings: &Settings) -> Vec<Row> {
     let shares: f64 = tasks.iter().map(Task::share).sum();
     let parts = tasks.iter().enumerate().flat_map(|(index, task)| {
         let all = (settings.evaluations as f64 * task.share() / shares).ceil() as usize;
-        let part = task.part();
-        (0..all.div_ceil(part)).map(move |number| (index, number, all - number * part))
+        let part = task.part(settings);
+        (0..all.div_ceil(part)).map(move |number| (index, number, part.min(all - number * part)))
     });
     let (progress, done) = (Progress::new(), AtomicU64::new(0));
     let parts: Vec<(usize, usize, usize)> = parts.collect();
-    let found = parts.into_par_iter().map(|(index, number, left)| {
+    let found = parts.into_par_iter().map(|(index, number, most)| {
         let seed = (settings.seed << 48) ^ ((index as u64) << 32) ^ number as u64;
-        let row = tasks[index].check(seed, left);
+        let row = tasks[index].check(seed, most);
         let done = done.fetch_add(row.evaluations, Ordering::Relaxed) + row.evaluations;
         progress.say(|| format!("{done} of {} elements", settings.evaluations));
         row

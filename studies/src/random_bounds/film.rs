@@ -1,7 +1,7 @@
 //! Random films, from both sides.
 
 use super::inputs::{any_bits, varying};
-use super::{BATCH, Settings, Tally};
+use super::{Settings, Tally};
 use crate::film_tolerance::draw;
 use crate::shared::batch::reflectances;
 use crate::shared::directions::rng;
@@ -29,7 +29,7 @@ pub fn run(settings: &Settings, number: usize, tally: &mut Tally) {
     let (batches, elements) = if method_of(&film) == "reference" {
         (1, SLOW_ELEMENTS)
     } else {
-        (settings.batches, BATCH)
+        (settings.batches, settings.elements)
     };
     let is_good = |x: f32| {
         // Colours that are not clipped may be beyond both ends.
@@ -56,7 +56,7 @@ pub fn run(settings: &Settings, number: usize, tally: &mut Tally) {
         }
         // The base's side may be the reference's.
         let of_both = if stack.both_sides { SLOW_ELEMENTS } else { 0 };
-        for point in &points[..of_both] {
+        for point in points.iter().take(of_both) {
             for side in [Side::Ambient, Side::Base] {
                 let colors = film.colors(side, point[0], point[1]).unwrap();
                 tally.count("film_eval", 1);

@@ -1,8 +1,8 @@
 //! Random evaluations of every model and of random films, in batches: no result is NaN, infinite, negative or above
 //! its bound.
 //!
-//! The work comes in units: one description at one level of instructions, and many inputs. Three of four units are
-//! models, in the order of the registry and of their variants, the fourth is a film.
+//! The work comes in units: one description at one level of instructions, and many inputs. Every sixteenth unit is a film,
+//! the others are random variants of the models in the order of the registry.
 
 pub mod bounds;
 mod film;
@@ -18,8 +18,8 @@ use pellicle::bsdf::models;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Elements of one batch.
-const BATCH: usize = 1024;
+/// Every unit of this number is a film.
+const FILM_STRIDE: usize = 16;
 /// Units between two looks at whether enough is done.
 const ROUND: usize = 64;
 /// The failures that are kept.
@@ -31,8 +31,9 @@ pub struct Settings {
     pub seed: u64,
     /// The least number of values, samples, albedos and colours.
     pub evaluations: u64,
-    /// Batches of each description.
+    /// Batches of each description, and elements of each batch.
     pub batches: usize,
+    pub elements: usize,
 }
 
 /// What was looked at.
@@ -101,13 +102,16 @@ pub fn run(settings: &Settings) -> Tally {
             units: 1,
             ..Tally::default()
         };
-        if number % 4 == 3 {
-            film::run(settings, number / 4, &mut tally);
+        if number % FILM_STRIDE == FILM_STRIDE - 1 {
+            film::run(settings, number / FILM_STRIDE, &mut tally);
         } else {
-            let number = number - number / 4;
-            let own = &variants[number % variants.len()];
-            let variant = &own[number / variants.len() % own.len()];
-            model::run(settings, number, variant, &mut tally);
+            let number = number - number / FILM_STRIDE;
+            model::run(
+                settings,
+                number,
+                &variants[number % variants.len()],
+                &mut tally,
+            );
         }
         tally
     };

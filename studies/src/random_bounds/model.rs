@@ -2,7 +2,7 @@
 
 use super::bounds::{ALBEDO, greatest_weight};
 use super::inputs::{beside, direction, uniform, varying};
-use super::{BATCH, Settings, Tally, is_good};
+use super::{Settings, Tally, is_good};
 use crate::shared::batch::{Varying, samples, values};
 use crate::shared::bsdf::albedo;
 use crate::shared::directions::rng;
@@ -24,9 +24,10 @@ struct Subject {
     level: Level,
 }
 
-pub fn run(settings: &Settings, number: usize, variant: &Variant, tally: &mut Tally) {
+pub fn run(settings: &Settings, number: usize, variants: &[Variant], tally: &mut Tally) {
     let rng = &mut rng(!settings.seed ^ (number as u64) << 32);
     let levels = Level::all();
+    let variant = &variants[rng.random_range(0..variants.len())];
     let varies = [0.0, 0.3, 1.0][rng.random_range(0..3)];
     let (drawn, bsdf) = Drawn::new(variant, varies, rng);
     let model = variant.entry.name();
@@ -40,7 +41,7 @@ pub fn run(settings: &Settings, number: usize, variant: &Variant, tally: &mut Ta
         level: levels[number % levels.len()],
     };
     for _ in 0..settings.batches {
-        if let Err(error) = subject.batch(rng, tally) {
+        if let Err(error) = subject.batch(settings.elements, rng, tally) {
             return tally.fail(|| format!("{}: {error}", subject.name()));
         }
     }
@@ -60,16 +61,16 @@ impl Subject {
         })
     }
 
-    fn batch(&self, rng: &mut impl Rng, tally: &mut Tally) -> Result<(), Error> {
-        let wo: Vec<Vec3> = (0..BATCH).map(|_| direction(rng)).collect();
+    fn batch(&self, count: usize, rng: &mut impl Rng, tally: &mut Tally) -> Result<(), Error> {
+        let wo: Vec<Vec3> = (0..count).map(|_| direction(rng)).collect();
         let wi: Vec<Vec3> = wo.iter().map(|wo| beside(*wo, rng)).collect();
-        let u: Vec<Vec3> = (0..BATCH).map(|_| uniform(rng)).collect();
-        let varying = self.varying(BATCH, rng);
+        let u: Vec<Vec3> = (0..count).map(|_| uniform(rng)).collect();
+        let varying = self.varying(count, rng);
         let place =
             |i: usize| format!("{} wo {:?} varying {:?}", self.name(), wo[i], varying.of(i));
 
         let found = values(&self.bsdf, self.level, &wo, &wi, &varying)?;
-        tally.count("bsdf_eval", BATCH);
+        tally.count("bsdf_eval", count);
         for (i, (value, pdf)) in found.into_iter().enumerate() {
             if !value.into_iter().chain([pdf]).all(is_good) {
                 tally.fail(|| format!("{} wi {:?}: {value:?} pdf {pdf}", place(i), wi[i]));
@@ -77,7 +78,7 @@ impl Subject {
         }
 
         let found = samples(&self.bsdf, self.level, &wo, &u, &varying)?;
-        tally.count("bsdf_sample", BATCH);
+        tally.count("bsdf_sample", count);
         for (i, sample) in found.into_iter().enumerate() {
             let greatest = sample.weight.into_iter().fold(0.0, f32::max);
             let bound = greatest_weight(&self.drawn, wo[i], sample.wi, sample.eta);
