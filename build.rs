@@ -1,21 +1,26 @@
-//! Generates the C header into OUT_DIR and sets the shared library's SONAME.
+//! Generates the C header and the table of functions into OUT_DIR, and sets the shared library's SONAME.
 //!
 //! The header that users include is the checked-in `include/pellicle.h`; a test compares the two,
 //! so that the source tree is never written during a build.
 
-use std::path::PathBuf;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-/// The files that hold the C interface, in the order in which the header presents them.
-const INTERFACE: [&str; 8] = [
-    "src/capi/types.rs",
-    "src/capi/args.rs",
-    "src/capi/version.rs",
-    "src/capi/model.rs",
-    "src/capi/film.rs",
-    "src/capi/bsdf.rs",
-    "src/capi/batch.rs",
-    "src/capi/api.rs",
+/// The files that hold the C interface, in the order in which the header presents them. The functions of
+/// the table stand in the same order. Once PELLICLE_ABI_VERSION is not 0, the table only grows at its end.
+const INTERFACE: [&str; 11] = [
+    "types.rs",
+    "film_types.rs",
+    "bsdf_types.rs",
+    "version.rs",
+    "catalogue.rs",
+    "film.rs",
+    "film_calls.rs",
+    "bsdf.rs",
+    "bsdf_calls.rs",
+    "batch.rs",
+    "api.rs",
 ];
 
 fn main() {
@@ -25,31 +30,146 @@ fn main() {
     println!("cargo:rerun-if-changed=cbindgen.toml");
     println!("cargo:rerun-if-changed=src/capi");
 
-    let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).unwrap();
-    let mut builder = cbindgen::Builder::new().with_config(config);
-    let preamble = fs::read_to_string(root.join("src/capi/preamble.h")).unwrap();
-    builder = builder.with_header(preamble.replace("@VERSION@", env!("CARGO_PKG_VERSION")));
-    for file in INTERFACE {
-        builder = builder.with_src(root.join(file));
+    let text = declarations(&root);
+    let functions = Function::all(&text);
+    let header = with_table(&text, &functions);
+    let path = out.join("pellicle.h");
+    fs::write(&path, &header).unwrap();
+    println!(
+        "cargo:rustc-env=PELLICLE_GENERATED_HEADER={}",
+        path.display()
+    );
+    fs::write(out.join("api_table.rs"), addresses(&functions)).unwrap();
+
+    if env::var("CARGO_CFG_TARGET_OS").as_deref() == Ok("linux") {
+        let soname = format!("libpellicle.so.{}", abi_version(&header));
+        println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,{soname}");
+        link_soname(&out, &soname);
     }
-    let header = out.join("pellicle.h");
+}
+
+/// What cbindgen makes of the sources.
+fn declarations(root: &Path) -> String {
+    let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).unwrap();
+    let preamble = fs::read_to_string(root.join("src/capi/preamble.h")).unwrap();
+    let preamble = preamble.replace("@VERSION@", env!("CARGO_PKG_VERSION"));
+    let mut builder = cbindgen::Builder::new()
+        .with_config(config)
+        .with_header(preamble);
+    for file in INTERFACE {
+        builder = builder.with_src(root.join("src/capi").join(file));
+    }
     let mut text = Vec::new();
     builder
         .generate()
         .expect("cbindgen failed")
         .write(&mut text);
-    // Rust's customary heading reads better in C as a plain word.
-    let text = String::from_utf8(text)
-        .unwrap()
-        .replace("// # Safety\n", "// Preconditions:\n");
-    fs::write(&header, text).unwrap();
-    println!(
-        "cargo:rustc-env=PELLICLE_GENERATED_HEADER={}",
-        header.display()
-    );
+    // Rust's customary heading reads better in C as a plain word, and every struct has a typedef.
+    let text = String::from_utf8(text).unwrap();
+    let lines = text.lines().map(|line| match line {
+        "// # Safety" => "// Preconditions:\n".to_owned(),
+        line if line.starts_with("typedef struct") => format!("{line}\n"),
+        line => format!("{}\n", line.replace("struct Pellicle", "Pellicle")),
+    });
+    lines.collect()
+}
 
-    if env::var("CARGO_CFG_TARGET_OS").as_deref() == Ok("linux") {
-        // ABI version, not crate version: it changes only when linked programs must be rebuilt.
-        println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libpellicle.so.1");
+/// A function of the header.
+struct Function {
+    /// Without the prefix.
+    name: String,
+    /// Return type, with the blank or asterisk that ends it.
+    result: String,
+    /// Between the parentheses, in one line.
+    arguments: String,
+}
+
+impl Function {
+    /// All but pellicle_get_api(), which is looked up by its symbol.
+    fn all(header: &str) -> Vec<Self> {
+        let start = header.find("extern \"C\" {").expect("declarations");
+        let code: Vec<&str> = header[start..]
+            .lines()
+            .filter(|line| !line.starts_with("//") && !line.starts_with('#'))
+            .collect();
+        let code = code.join(" ");
+        let declaration = |text: &str| {
+            let (before, arguments) = text.split_once('(')?;
+            let (result, name) = before.split_once("pellicle_")?;
+            let arguments = arguments.trim_end().strip_suffix(')')?;
+            Some(Self {
+                name: name.to_owned(),
+                result: result
+                    .trim_start_matches("extern \"C\" {")
+                    .trim_start()
+                    .to_owned(),
+                arguments: arguments.split_whitespace().collect::<Vec<_>>().join(" "),
+            })
+        };
+        let all = code.split(';').filter_map(declaration);
+        all.filter(|function| function.name != "get_api").collect()
+    }
+}
+
+/// The longest line of the struct.
+const LINE: usize = 100;
+
+/// The header with the struct of all functions before the declarations.
+fn with_table(header: &str, functions: &[Function]) -> String {
+    let mut table = "// Every function of this header, by its name without the prefix. It grows by appending: \
+                     before using\n// a member that was added later, check that it lies within `size`.\n\
+                     struct PellicleApi {\n    // Bytes in this table.\n    size_t size;\n"
+        .to_owned();
+    for Function {
+        name,
+        result,
+        arguments,
+    } in functions
+    {
+        let in_one_line = format!("    {result}(*{name})({arguments});");
+        if in_one_line.len() <= LINE {
+            table.push_str(&in_one_line);
+        } else {
+            let arguments = arguments.replace(", ", ",\n        ");
+            write!(table, "    {result}(*{name})(\n        {arguments});").unwrap();
+        }
+        table.push('\n');
+    }
+    table.push_str("};\n\n");
+    let place = header.find("#ifdef __cplusplus\nextern \"C\" {").unwrap();
+    format!("{}{table}{}", &header[..place], &header[place..])
+}
+
+/// The addresses of the functions, for `src/capi/api.rs`.
+fn addresses(functions: &[Function]) -> String {
+    let mut text = format!(
+        "const FUNCTION_COUNT: usize = {};\nconst FUNCTIONS: [Function; FUNCTION_COUNT] = [\n",
+        functions.len()
+    );
+    for Function { name, .. } in functions {
+        writeln!(text, "    Function(super::pellicle_{name} as *const ()),").unwrap();
+    }
+    text.push_str("];\n");
+    text
+}
+
+/// The number that the header states.
+fn abi_version(header: &str) -> &str {
+    let line = header
+        .lines()
+        .find_map(|line| line.strip_prefix("#define PELLICLE_ABI_VERSION "));
+    line.expect("the header states its version").trim()
+}
+
+/// Gives the shared library its run-time name where cargo puts it, so that a program linked there starts:
+/// a link in the folder of the profile, three above OUT_DIR.
+fn link_soname(out: &Path, soname: &str) {
+    #[cfg(unix)]
+    if let Some(folder) = out.ancestors().nth(3) {
+        let link = folder.join(soname);
+        if fs::symlink_metadata(&link).is_err() {
+            // A folder that cannot be written to is no reason to fail a build.
+            let _ = std::os::unix::fs::symlink("libpellicle.so", &link);
+        }
     }
 }

@@ -1,9 +1,9 @@
 //! ns per colour of every film method in single precision, on a dielectric and on a metallic base, at
 //! random cosines and thicknesses to 1 um. The baseline, the converged reference, is in `reference.rs`;
-//! the errors of the same methods are printed by `cargo test --test film_accuracy -- --nocapture`.
+//! the errors of the same methods are printed by `cargo test --release --test films accuracy -- --nocapture`.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use pellicle::film::{Kind, OneLayer};
+use pellicle::film::{OneLayer, OneLayerMethod};
 use pellicle::optics::{ColorSpace, Medium, White};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -31,8 +31,8 @@ fn bench(criterion: &mut Criterion) {
             .sample_size(10)
             .measurement_time(Duration::from_millis(500));
         group.warm_up_time(Duration::from_millis(100));
-        for kind in Kind::ALL {
-            let method = kind.compile::<f32>(&layer).unwrap();
+        for kind in OneLayerMethod::ALL {
+            let method = kind.single(&layer).unwrap();
             let id = BenchmarkId::from_parameter(format!("{kind:?}"));
             group.bench_function(id, |bencher| {
                 bencher.iter(|| {

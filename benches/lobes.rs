@@ -114,10 +114,10 @@ fn variants() -> Vec<(&'static str, Description, Varying)> {
         .vary("base_color", 0.0, 1.0)
         .vary("metallic", 0.0, 1.0)
         .vary("roughness", 0.0, 1.0);
-    let by_form = |form| {
+    let by_form = |form, roughness| {
         metallic_roughness()
-            .choose("diffuse", form)
-            .set("diffuse_roughness", &[0.5])
+            .choose("diffuse_form", form)
+            .set(roughness, &[0.5])
     };
     vec![
         ("oren_nayar qualitative", qualitative, None),
@@ -126,8 +126,16 @@ fn variants() -> Vec<(&'static str, Description, Varying)> {
             textured,
             Some(&[0.8, 0.5, 0.2, 0.3, 0.4]),
         ),
-        ("metallic_roughness oren_nayar", by_form("oren_nayar"), None),
-        ("metallic_roughness disney", by_form("disney"), None),
+        (
+            "metallic_roughness oren_nayar",
+            by_form("oren_nayar", "sigma_radians"),
+            None,
+        ),
+        (
+            "metallic_roughness disney",
+            by_form("disney", "diffuse_roughness"),
+            None,
+        ),
     ]
 }
 

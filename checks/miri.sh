@@ -5,6 +5,6 @@ need_nightly miri rust-src
 # Time, and the file that a test compares with, are the host's.
 export MIRIFLAGS="${MIRIFLAGS:-} -Zmiri-disable-isolation"
 export CARGO_TARGET_DIR="$(target_folder)/miri"
-step cargo +nightly miri test --locked --test interpreted
+step cargo +nightly miri test --locked --test interface interpreted::
 step cargo +nightly miri test --locked --lib -- \
     math::lanes::look_up math::lanes::rgb_sse2 math::lanes::doubles::tests::each math::spline capi::boundary

@@ -7,6 +7,6 @@ step "${CC:-cc}" -c -O1 -fno-builtin checks/tsan_memory.c -o build/check/tsan_me
 export LDFLAGS="$PWD/build/check/tsan_memory.o"
 export CARGO_UNSTABLE_BUILD_STD=std,panic_unwind
 build_instrumented check/thread thread abi_shared
-must_refer_to build/check/thread/lib/libpellicle.so.1 __tsan_
+must_refer_to build/check/thread/lib/libpellicle.so __tsan_
 TSAN_OPTIONS=halt_on_error=1 step build/check/thread/bin/abi_shared \
     --test-case="threads*,references*,last error*,batch: eval*,batch: sample*"

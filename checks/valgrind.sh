@@ -7,4 +7,4 @@ step cmake --build build --target abi_shared
 step valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=definite \
     build/bin/abi_shared --test-case-exclude="float environment*,threads*,references*,film values*"
 # Batches once more where every look-up is a load of its own.
-PELLICLE_SIMD=sse2 step valgrind --quiet --error-exitcode=1 build/bin/abi_shared --test-case='*batch*'
+ABI_TEST_SIMD_LEVEL=sse2 step valgrind --quiet --error-exitcode=1 build/bin/abi_shared --test-case='*batch*'

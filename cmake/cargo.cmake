@@ -3,11 +3,13 @@
 find_program(PELLICLE_CARGO cargo HINTS "$ENV{CARGO_HOME}/bin" "$ENV{HOME}/.cargo/bin" REQUIRED)
 
 # One target directory for cargo, CMake and ./x, so that nothing is compiled twice. Like cargo, a
-# set CARGO_TARGET_DIR wins.
+# set CARGO_TARGET_DIR wins. A subproject leaves its sources alone and builds in its parent's build folder.
 if(DEFINED ENV{CARGO_TARGET_DIR})
     set(pellicle_default_target_dir "$ENV{CARGO_TARGET_DIR}")
-else()
+elseif(PROJECT_IS_TOP_LEVEL)
     set(pellicle_default_target_dir target)
+else()
+    set(pellicle_default_target_dir "${PROJECT_BINARY_DIR}/target")
 endif()
 cmake_path(ABSOLUTE_PATH pellicle_default_target_dir BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" NORMALIZE)
 set(PELLICLE_CARGO_TARGET_DIR "${pellicle_default_target_dir}" CACHE PATH "Where cargo builds")
@@ -23,7 +25,10 @@ endif()
 
 # The shared library is copied to its run-time name: the dynamic linker asks for the SONAME, which
 # changes only with the ABI (PELLICLE_ABI_VERSION; build.rs sets the same name).
-set(pellicle_soname libpellicle.so.1)
+file(STRINGS include/pellicle.h pellicle_abi_version REGEX "^#define PELLICLE_ABI_VERSION " LIMIT_COUNT 1)
+string(REGEX REPLACE ".* " "" pellicle_abi_version "${pellicle_abi_version}")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS include/pellicle.h)
+set(pellicle_soname libpellicle.so.${pellicle_abi_version})
 set(pellicle_library_dir "${PROJECT_BINARY_DIR}/lib")
 set(pellicle_shared_library "${pellicle_library_dir}/${pellicle_soname}")
 set(pellicle_shared_link "${pellicle_library_dir}/libpellicle.so")

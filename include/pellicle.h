@@ -14,38 +14,61 @@
  * index values belong to 645, 525 and 445 nm: linear in 1 / lambda^2 between, constant outside.
  *
  * Sides. Without the flag TRANSMISSION, wi.z <= 0 or wo.z <= 0 gives 0: one-sided, the caller flips.
- * With it, z < 0 is the base's side and z = 0 gives 0; what is transmitted is radiance, which carries
- * (eta_o / eta_i)^2. Dirac lobes give value = pdf = 0; only sample() returns them, with weight and
- * pdf = 0.
+ * With it, z < 0 is the base's side and z = 0 gives 0. What is transmitted is radiance, which carries
+ * (eta_o / eta_i)^2, unless the call asks for importance. Dirac lobes give value = pdf = 0; only
+ * sample() returns them, with weight and pdf = 0.
  *
  * Data never fails. Finite inputs give finite, non-negative outputs (unclipped colours of films may
  * be negative). Directions within 1e-3 of unit length are accepted as they are; any other direction,
  * NaN and infinity give 0 for that element and leave its neighbours alone. A varying parameter's
  * finite value outside its declared range is clamped to it; NaN or infinity there gives 0 for that
  * element. In the calls of a film, cosines are clamped to [1e-9, 1] and thicknesses to the declared
- * range, infinities too, and NaN gives 0. Nothing else is clamped.
+ * range, infinities too, and NaN gives 0. A varying parameter that a call does not give has its value
+ * in `params`; without one there, it has the model's default, clamped to the declared range. Nothing
+ * else is clamped.
  *
  * Pointers and counts can fail. Every function checks every pointer for NULL. On failure a status
  * other than PELLICLE_OK is returned, outputs are untouched, and pellicle_last_error() says which
- * argument was wrong, its value, and what is allowed.
+ * argument was wrong, its value, and what is allowed. Every array may lie at any alignment.
  *
  * Threads. Every function may be called from any thread. Handles are immutable and
- * reference-counted: share them freely. Nothing starts threads, locks, logs, calls back or changes
- * the floating-point state; results are right under flush-to-zero and denormals-are-zero.
- * Floating-point exception flags may be raised: do not unmask traps. Only these allocate: create();
- * pellicle_film_reference() and pellicle_film_spectrum(); what evaluates a film whose plan's method
- * is "reference"; and a failing call, for its message.
+ * reference-counted: share them freely. Nothing starts threads, locks, logs, calls back, reads the
+ * environment or changes the floating-point state; the only state of the process is each thread's last
+ * error. Results are right under flush-to-zero and denormals-are-zero. Floating-point exception flags
+ * may be raised: do not unmask traps. Only these allocate: create(); pellicle_name();
+ * pellicle_film_reference() and pellicle_film_spectrum(); what evaluates a film whose plan's method is
+ * "reference"; and a failing call, for its message. A defect of pellicle is reported as
+ * PELLICLE_INTERNAL, and Rust's line about it may appear on the standard error stream.
  *
  * Batches. Elements are evaluated side by side with the widest of SSE2, AVX2 and AVX-512, or NEON, that
- * the processor has, to the same bits as single calls. The environment variable PELLICLE_SIMD (sse2,
- * avx2), read once by the first create(), may name a narrower one, for tests; other values do nothing.
- * Components whose elements lie side by side are the fastest, then whole packed elements.
+ * the processor has, to the same bits as single calls. Components whose elements lie side by side are
+ * the fastest, then whole packed elements.
  *
- * Growth. Structs that are passed together with their own size grow by appending, and zero means
- * default: zero-initialise them and pass sizeof. A shorter struct of an older caller is accepted; a
- * longer one is accepted if what this build does not know is zero, else UNSUPPORTED. Outputs are
- * written up to the smaller size. A size that no version can have (0, above 65,536, or no multiple of
- * the struct's alignment) is INVALID_ARGUMENT.
+ * Growth. Structs grow by appending, and zero means default: zero-initialise them and state their
+ * size. The size of a struct that is passed alone stands beside it in the call; that of PellicleCall in
+ * its first field; that of PellicleMedium and PellicleLayer in the description that points to them.
+ * A shorter struct of an older caller is accepted; a longer one is accepted if what this build does not
+ * know is zero, else UNSUPPORTED. Outputs are written up to the smaller size. A size that no version can
+ * have (0, above 65,536, or no multiple of the struct's alignment) is INVALID_ARGUMENT. Structs that say
+ * "Frozen" do not grow.
+ *
+ * EXAMPLE
+ *
+ *   PellicleMedium glass = {0}, water = {0};
+ *   glass.name = "BK7";
+ *   water.name = "water";
+ *   PellicleLayer layer = {&water, 0.0f, 500.0f};               // its thickness comes with every call
+ *   PellicleFilmDesc desc = {sizeof glass, sizeof layer};       // the sizes of this header's structs
+ *   desc.layers = &layer;
+ *   desc.layer_count = 1;
+ *   desc.base = &glass;
+ *   PellicleFilm *film;
+ *   if (pellicle_film_create(&desc, sizeof desc, &film) != PELLICLE_OK) puts(pellicle_last_error());
+ *   else {
+ *       float rgb[3];
+ *       pellicle_film_reflectance(film, 0.8f, 320.0f, rgb);     // cosine of incidence, nm
+ *       pellicle_film_release(film);
+ *   }
  */
 
 
@@ -55,44 +78,52 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// Success.
+// The call succeeded.
 #define PELLICLE_OK 0
 
-// A NULL pointer, a wrong count, overlapping or contradictory arguments.
+// A pointer is NULL, a count or size is wrong, or arguments overlap or contradict each other.
 #define PELLICLE_INVALID_ARGUMENT 1
 
-// A model, parameter, choice or medium of that name does not exist; the message lists those that do.
+// Nothing of that name exists. The message lists the names that do.
 #define PELLICLE_UNKNOWN_NAME 2
 
-// A number is outside its range, or NaN or infinite; the message gives the value and the range.
+// A number is outside its range, or NaN or infinite. The message gives the value and the range.
 #define PELLICLE_OUT_OF_RANGE 3
 
-// This build does not offer what was asked for (for instance a field of a later version).
+// This build or this processor does not offer what was asked for, such as a field of a later version.
 #define PELLICLE_UNSUPPORTED 4
 
 // An allocation failed.
 #define PELLICLE_OUT_OF_MEMORY 5
 
-// A defect of pellicle itself: a panic was caught at the boundary. Handles stay usable.
+// Pellicle itself has a defect: a panic was caught at the boundary. Handles stay usable.
 #define PELLICLE_INTERNAL 6
 
-// The binary interface described by this header. It changes only when programs must be rebuilt.
-#define PELLICLE_ABI_VERSION 1
+// The number of the binary interface that this header describes, and of the SONAME. 0 means that the
+// interface may still change between versions: rebuild programs with every new version. From 1 on it
+// changes only when programs must be rebuilt.
+#define PELLICLE_ABI_VERSION 0
 
-// Flag of a model, a BSDF or a sampled lobe: light leaves on the side of the viewer.
+// Flag of a lobe, and of models and BSDFs that have one: light leaves on the side of the viewer.
 #define PELLICLE_REFLECTION 1
 
-// Light leaves on the other side. Without this flag the model is one-sided: 0 at and below the horizon.
+// Light leaves on the other side. A model without this flag is one-sided: it is 0 at and below the horizon.
 #define PELLICLE_TRANSMISSION 2
 
-// A broad lobe without a preferred direction.
+// The lobe is broad and has no preferred direction.
 #define PELLICLE_DIFFUSE 4
 
-// A lobe around a preferred direction.
+// The lobe lies around a preferred direction.
 #define PELLICLE_GLOSSY 8
 
-// A perfectly specular lobe: eval() returns 0 for it, only sample() finds it.
+// The lobe is perfectly specular: eval() returns 0 for it, and only sample() finds it.
 #define PELLICLE_DELTA 16
+
+// Transport of radiance, from lights along camera paths: refraction carries (eta_o / eta_i)^2.
+#define PELLICLE_TRANSPORT_RADIANCE 0
+
+// Transport of importance, along light paths and photons: that factor is left out.
+#define PELLICLE_TRANSPORT_IMPORTANCE 1
 
 // Kind of a parameter: `components` numbers, each within [min, max].
 #define PELLICLE_KIND_NUMBER 0
@@ -110,30 +141,46 @@
 // Side of a film that the light comes from: the base.
 #define PELLICLE_SIDE_BASE 1
 
-// A compiled BSDF: opaque, immutable, reference-counted, usable from every thread at once.
+// List for pellicle_name(): the methods of evaluating a film.
+#define PELLICLE_NAMES_METHOD 0
+
+// List for pellicle_name(): the colour spaces, the default first.
+#define PELLICLE_NAMES_COLOR_SPACE 1
+
+// List for pellicle_name(): the whites, the default first.
+#define PELLICLE_NAMES_WHITE 2
+
+// List for pellicle_name(): the SIMD levels of this processor, the narrowest first; the last one is the
+// default.
+#define PELLICLE_NAMES_SIMD_LEVEL 3
+
+// The table of all functions, which pellicle_get_api() gives.
+typedef struct PellicleApi PellicleApi;
+
+// A compiled BSDF. It is opaque, immutable and reference-counted, and every thread may use it at once.
 typedef struct PellicleBsdf PellicleBsdf;
 
-// A compiled film: opaque, immutable, reference-counted, usable from every thread at once.
+// A compiled film. It is opaque, immutable and reference-counted, and every thread may use it at once.
 typedef struct PellicleFilm PellicleFilm;
 
-// What a call returned: PELLICLE_OK (0) or one of the failures below. After a failure every output
-// is as it was before the call, and pellicle_last_error() says in words what was wrong.
+// The result of a call: PELLICLE_OK (0) or one of the failures below. After a failure every output is as
+// it was before the call, and pellicle_last_error() says in words what was wrong.
 typedef int32_t PellicleStatus;
 
-// A model that this build offers. Its strings live as long as the library. Grows by appending;
+// A model that this build offers. Its texts live as long as the library. It grows by appending;
 // pass sizeof(PellicleModelInfo).
 typedef struct PellicleModelInfo {
     // The name to create it by.
     const char *name;
-    // One sentence.
+    // What the model is, in one sentence.
     const char *summary;
     // Where the model comes from.
     const char *source;
     // PELLICLE_REFLECTION and so on, of all lobes together.
     uint32_t flags;
-    // How many parameters it has.
+    // Number of parameters; pellicle_model_param() describes them.
     uint32_t param_count;
-    // How many lobes sample() chooses from.
+    // Number of lobes that sample() chooses from, with the parameters that give the most of them.
     uint32_t lobe_count;
     // When and why value(wo, wi) wo.z differs from value(wi, wo) wi.z; NULL: never.
     const char *not_reciprocal;
@@ -143,18 +190,18 @@ typedef struct PellicleModelInfo {
     uint32_t needs_film;
 } PellicleModelInfo;
 
-// A parameter of a model. Its strings live as long as the library. Grows by appending; pass
+// A parameter of a model. Its texts live as long as the library. It grows by appending; pass
 // sizeof(PellicleModelParam).
 typedef struct PellicleModelParam {
     // The parameter's name.
     const char *name;
-    // "nm", or "" for a pure number.
+    // "nm", "radians", "turns", or "" for a pure number.
     const char *unit;
-    // One sentence.
+    // What the parameter means, in one sentence.
     const char *summary;
     // PELLICLE_KIND_NUMBER, _DIRECTION or _CHOICE.
     uint32_t kind;
-    // 1 or 3 numbers; 0 for a CHOICE.
+    // Number of components: 1 or 3; 0 for a CHOICE.
     uint32_t components;
     // 1 if it may be listed in PellicleBsdfDesc::varying.
     uint32_t can_vary;
@@ -164,19 +211,34 @@ typedef struct PellicleModelParam {
     float max;
     // Default of each component; unused ones are 0.
     float default_value[3];
-    // For a CHOICE: the default's name; NULL otherwise.
-    const char *default_choice;
-    // For a CHOICE: how many names there are; 0 otherwise.
+    // The names of a CHOICE, then NULL; the first is the default. NULL for other kinds.
+    const char *const *choices;
+    // Number of names of a CHOICE; 0 for other kinds.
     uint32_t choice_count;
-    // For a CHOICE: the names, then NULL.
-    const char *choices[16];
 } PellicleModelParam;
 
+// A medium that is known by name. Its texts live as long as the library. It grows by appending; pass
+// sizeof(PellicleMediumInfo).
+typedef struct PellicleMediumInfo {
+    // The chemical formula, or the usual name.
+    const char *name;
+    // Other names for it, then NULL.
+    const char *const *also;
+    // Who measured it.
+    const char *source;
+    // The least wavelength of its data, nm; the index is constant below.
+    float lambda_min_nm;
+    // The greatest wavelength of its data, nm; the index is constant above.
+    float lambda_max_nm;
+    // 1: it absorbs somewhere in that range; 0: it is transparent.
+    uint32_t absorbs;
+} PellicleMediumInfo;
+
 // A medium, given in one of three ways: by `name`, by `eta` and `k`, or by a table of measurements.
-// All zero: vacuum as a film's ambient, refused elsewhere. Frozen for this ABI version.
+// All zero means vacuum as a film's ambient and is refused elsewhere. It grows by appending; its size
+// stands in PellicleFilmDesc::medium_size.
 typedef struct PellicleMedium {
-    // "Au", "SiO2", "water", ...; upper and lower case are alike. The message for an unknown name
-    // lists the known ones.
+    // "Au", "SiO2", "water", ...; upper and lower case are alike. pellicle_medium_info() lists the names.
     const char *name;
     // Refractive index at 645, 525 and 445 nm, each within [0.001, 1000]: linear in 1 / lambda^2
     // between them, constant outside. Three equal values are a constant.
@@ -191,14 +253,14 @@ typedef struct PellicleMedium {
     const float *table_eta;
     // `table_count` extinctions, in the range of `k`. Copied.
     const float *table_k;
-    // How many numbers each part of the table has.
+    // Number of entries in each of the three arrays of the table.
     size_t table_count;
 } PellicleMedium;
 
-// A layer of a film. Frozen for this ABI version.
+// A layer of a film. It grows by appending; its size stands in PellicleFilmDesc::layer_size.
 typedef struct PellicleLayer {
-    // What it consists of.
-    struct PellicleMedium medium;
+    // The layer's medium. Copied.
+    const PellicleMedium *medium;
     // Least thickness, nm, within [0, 1e8].
     float thickness_min_nm;
     // Greatest thickness, nm, within [0, 1e8]. Equal to the least: fixed. At most one layer of a film
@@ -207,37 +269,56 @@ typedef struct PellicleLayer {
 } PellicleLayer;
 
 // What film to create: layers between an ambient medium and a base. Zero-initialise it, then set
-// what you need: zero means default. Grows by appending; pass sizeof(PellicleFilmDesc).
+// what you need: zero means default. It grows by appending; pass sizeof(PellicleFilmDesc).
 typedef struct PellicleFilmDesc {
-    // Where the light comes from; all zero: vacuum. It must have k = 0 and eta >= 1.
-    struct PellicleMedium ambient;
+    // sizeof(PellicleMedium); needed.
+    size_t medium_size;
+    // sizeof(PellicleLayer): the bytes from one layer to the next. Needed if there are layers.
+    size_t layer_size;
+    // Where the light comes from; NULL: vacuum. It must have k = 0 and eta >= 1. Copied.
+    const PellicleMedium *ambient;
     // The layers, the ambient's neighbour first; NULL if `layer_count` is 0. Copied.
-    const struct PellicleLayer *layers;
-    // How many layers there are, at most 64; 0: the bare base.
+    const PellicleLayer *layers;
+    // Number of layers, at most 64; 0: the bare base.
     size_t layer_count;
-    // What the layers lie on; needed.
-    struct PellicleMedium base;
+    // What the layers lie on; needed. Copied.
+    const PellicleMedium *base;
     // The greatest error allowed of a channel of the clipped colours, within [1e-5, 1];
     // 0: the default, 2e-3.
     float tolerance;
-    // The white in which a perfect mirror is (1, 1, 1): "E" or "D65"; NULL: "E".
-    const char *white;
-    // "rec709", "rec2020", "acescg" or "xyz", linear; NULL: "rec709".
-    const char *color_space;
-    // The name of the method of evaluation; NULL: the cheapest that holds the tolerance. The message
-    // for an unknown name lists the known ones.
-    const char *method;
     // 1: leave colours outside [0, 1] as they are (saturated films have such, negative ones too);
     // 0: clip them.
     uint32_t unclipped;
     // 1: also keep the transmittance, and the reflectance from the base's side, for
     // pellicle_film_eval(); 0: do not.
     uint32_t transmittance;
+    // The white in which a perfect mirror is (1, 1, 1): "E" or "D65"; NULL: "E".
+    const char *white;
+    // "rec709", "rec2020", "acescg" or "xyz", linear; NULL: "rec709".
+    const char *color_space;
+    // The name of the method of evaluation, out of PELLICLE_NAMES_METHOD; NULL: the cheapest that holds the
+    // tolerance.
+    const char *method;
+    // The instructions of batches, out of PELLICLE_NAMES_SIMD_LEVEL; NULL: the widest. For tests: the
+    // results are the same.
+    const char *simd_level;
 } PellicleFilmDesc;
 
-// How a film is evaluated, and how well. Grows by appending; pass sizeof(PellicleFilmPlan).
+// What a film is. It grows by appending; pass sizeof(PellicleFilmInfo).
+typedef struct PellicleFilmInfo {
+    // 1: a layer's thickness varies and comes with every call; 0: none does.
+    uint32_t varies;
+    // 1: pellicle_film_eval() can be called; 0: the film keeps no transmittance.
+    uint32_t transmittance;
+    // Least thickness of the layer that varies, nm; 0 if none does.
+    float thickness_min_nm;
+    // Greatest thickness of the layer that varies, nm; 0 if none does.
+    float thickness_max_nm;
+} PellicleFilmInfo;
+
+// How a film is evaluated, and how well. It grows by appending; pass sizeof(PellicleFilmPlan).
 typedef struct PellicleFilmPlan {
-    // The method's name; lives as long as the film.
+    // The method's name. It lives as long as the library.
     const char *method;
     // The error that was allowed.
     float tolerance;
@@ -248,26 +329,24 @@ typedef struct PellicleFilmPlan {
     float measured_rms;
     // Bytes of the film's tables.
     size_t bytes;
-    // Why this method, in a sentence; lives as long as the film.
+    // Why this method was chosen, in a sentence. It lives as long as the film.
     const char *reason;
 } PellicleFilmPlan;
 
-// One parameter of a model, by name: either numbers (`values`, `count`) or a `choice`, never both.
-// Frozen for this ABI version.
+// One parameter of a model, by name: either numbers (`values`, `count`) or a `choice`, never both. Frozen.
 typedef struct PellicleParam {
-    // The parameter's name, NUL-terminated; pellicle_model_param() lists them.
+    // The parameter's name; pellicle_model_param() lists them.
     const char *name;
     // `count` numbers. One number for a parameter with three components stands for all three
-    // (directions excepted).
+    // (directions excepted). Copied.
     const float *values;
-    // How many numbers `values` holds.
+    // Number of entries in `values`.
     size_t count;
-    // The chosen name for a parameter of kind CHOICE; NULL for the others.
+    // The chosen name for a parameter of kind CHOICE; NULL for the others. Copied.
     const char *choice;
 } PellicleParam;
 
-// A parameter that the caller supplies with every call, from a texture for example.
-// Frozen for this ABI version.
+// A parameter that the caller supplies with every call, from a texture for example. Frozen.
 typedef struct PellicleRange {
     // The parameter's name; pellicle_model_param() tells which may vary.
     const char *name;
@@ -279,49 +358,92 @@ typedef struct PellicleRange {
     float max;
 } PellicleRange;
 
-// What to create. Zero-initialise it, then set what you need: zero means default.
-// Grows by appending; pass sizeof(PellicleBsdfDesc).
+// What BSDF to create. Zero-initialise it, then set what you need: zero means default. It grows by
+// appending; pass sizeof(PellicleBsdfDesc).
 typedef struct PellicleBsdfDesc {
     // The model's name: "lambert", "phong", "layered", ...; pellicle_model_info() lists them.
     const char *model;
     // Parameters that differ from their defaults; NULL if `param_count` is 0. Copied.
-    const struct PellicleParam *params;
-    // How many entries `params` has.
+    const PellicleParam *params;
+    // Number of entries in `params`.
     size_t param_count;
     // Parameters given per call, in the order in which their components are passed; NULL if
     // `varying_count` is 0. Copied.
-    const struct PellicleRange *varying;
-    // How many entries `varying` has.
+    const PellicleRange *varying;
+    // Number of entries in `varying`.
     size_t varying_count;
-    // The film, for models that take one; retained, so release yours when you like. Given where
-    // unused or missing where needed: INVALID_ARGUMENT. If a layer of it varies, the parameter
+    // The film, for models that take one. It is retained, so release yours when you like. A film that is
+    // not used, and none where one is needed, are INVALID_ARGUMENT. If a layer of it varies, the parameter
     // thickness_nm is needed, fixed or varying within the layer's range; if none does, it is refused.
-    const struct PellicleFilm *film;
+    const PellicleFilm *film;
+    // The instructions of batches, out of PELLICLE_NAMES_SIMD_LEVEL; NULL: the widest. For tests: the
+    // results are the same.
+    const char *simd_level;
 } PellicleBsdfDesc;
 
-// What a BSDF is. Grows by appending; pass sizeof(PellicleBsdfInfo).
+// What a BSDF is. It grows by appending; pass sizeof(PellicleBsdfInfo).
 typedef struct PellicleBsdfInfo {
-    // The model's name; lives as long as the library.
+    // The model's name. It lives as long as the library.
     const char *model;
     // PELLICLE_REFLECTION and so on, of all lobes together.
     uint32_t flags;
-    // How many parameters vary per call.
+    // Number of parameters that vary per call; pellicle_bsdf_varying() describes them.
     uint32_t varying_count;
-    // How many numbers they have together: the length of `varying` in the single calls.
+    // Number of components that they have together: the length of `varying` in the single calls.
     uint32_t varying_floats;
-    // How many lobes sample() chooses from.
+    // Number of lobes that sample() chooses from; pellicle_bsdf_lobe() describes them.
     uint32_t lobe_count;
-    // What the BSDF was specialised to, in words: terms that its values leave out, formulas that are shorter
-    // for them, and the instructions that batches run with. Lives as long as the BSDF.
+    // What the BSDF was specialised to, in words: terms that its values leave out, formulas that are
+    // shorter for them, and the instructions of batches. It lives as long as the BSDF.
     const char *plan;
 } PellicleBsdfInfo;
 
-// A sampled direction. Grows by appending; pass sizeof(PellicleSample).
-// No valid sample, or a random number outside [0, 1): all zero, with status PELLICLE_OK.
+// A parameter that varies in a BSDF. It grows by appending; pass sizeof(PellicleVaryingInfo).
+typedef struct PellicleVaryingInfo {
+    // The parameter's name. It lives as long as the library.
+    const char *name;
+    // "nm", "radians", "turns", or "" for a pure number. It lives as long as the library.
+    const char *unit;
+    // PELLICLE_KIND_NUMBER or PELLICLE_KIND_DIRECTION.
+    uint32_t kind;
+    // Number of components: 1 or 3.
+    uint32_t components;
+    // Place of its first component in the `varying` of the single calls.
+    uint32_t offset;
+    // Least value of each component; 0 for a direction.
+    float min;
+    // Greatest value of each component; 0 for a direction.
+    float max;
+    // The values that it has where a call does not give it; unused components are 0.
+    float default_value[3];
+} PellicleVaryingInfo;
+
+// A lobe of a BSDF. It grows by appending; pass sizeof(PellicleLobeInfo).
+typedef struct PellicleLobeInfo {
+    // The lobe's name, for people. It lives as long as the library.
+    const char *name;
+    // PELLICLE_REFLECTION | PELLICLE_GLOSSY and so on.
+    uint32_t flags;
+} PellicleLobeInfo;
+
+// How to evaluate, sample or integrate in one call. NULL instead of a pointer to it, or zeros, mean
+// radiance and every lobe. It begins with its own size and grows by appending.
+typedef struct PellicleCall {
+    // sizeof(PellicleCall).
+    size_t size;
+    // PELLICLE_TRANSPORT_RADIANCE or PELLICLE_TRANSPORT_IMPORTANCE.
+    uint32_t transport;
+    // A mask of lobe flags: a lobe belongs to the call if all its flags are in the mask. Values, densities,
+    // selection and samples are those of these lobes alone. 0: every lobe.
+    uint32_t lobes;
+} PellicleCall;
+
+// A sampled direction. It grows by appending; pass sizeof(PellicleSample).
+// Without a valid sample, and for a random number outside [0, 1), it is all zero, with status PELLICLE_OK.
 typedef struct PellicleSample {
-    // To the light, unit, in the shading frame.
+    // Direction to the light, unit, in the shading frame.
     float wi[3];
-    // Density of wi per solid angle, of all lobes together; 0 for a DELTA lobe.
+    // Density of wi per solid angle, of all lobes of the call together; 0 for a DELTA lobe.
     float pdf;
     // value / pdf, RGB; for a DELTA lobe the throughput over the probability of choosing it.
     float weight[3];
@@ -331,11 +453,13 @@ typedef struct PellicleSample {
     uint32_t flags;
     // Number of the chosen lobe, below PellicleBsdfInfo::lobe_count.
     uint32_t lobe;
+    // Probability with which that lobe was chosen among the lobes of the call.
+    float lobe_probability;
 } PellicleSample;
 
 // A strided array to read: component c of element i is at
 // `(const char*)data + i * element_stride + c * component_stride`. Strides are in bytes and may be
-// negative; element_stride 0 broadcasts one element. Any alignment. Frozen for this ABI version.
+// negative; element_stride 0 broadcasts one element. Any alignment. Frozen.
 typedef struct PellicleConstView {
     // Component 0 of element 0.
     const float *data;
@@ -345,8 +469,8 @@ typedef struct PellicleConstView {
     ptrdiff_t component_stride;
 } PellicleConstView;
 
-// A strided array to write, addressed like PellicleConstView; data NULL = not wanted. Its elements
-// and components must not overlap one another. Frozen for this ABI version.
+// A strided array to write, addressed like PellicleConstView. data NULL means that it is not wanted. Its
+// elements and components must not overlap one another. Any alignment. Frozen.
 typedef struct PellicleView {
     // Component 0 of element 0.
     float *data;
@@ -356,28 +480,32 @@ typedef struct PellicleView {
     ptrdiff_t component_stride;
 } PellicleView;
 
-// Arguments of pellicle_bsdf_eval_batch(). Zero-initialise. Grows by appending; pass
+// Arguments of pellicle_bsdf_eval_batch(). Zero-initialise them. They grow by appending; pass
 // sizeof(PellicleEvalBatchArgs).
 typedef struct PellicleEvalBatchArgs {
-    // How many elements; 0 is allowed and does nothing.
+    // Number of elements; 0 is allowed and does nothing.
     size_t count;
     // Directions to the viewer, 3 components.
-    struct PellicleConstView wo;
+    PellicleConstView wo;
     // Directions to the light, 3 components.
-    struct PellicleConstView wi;
-    // One view per varying parameter, in the order of PellicleBsdfDesc::varying. NULL: every
-    // varying parameter keeps its value from `params`; so does one whose data is NULL.
-    const struct PellicleConstView *varying;
-    // How many views `varying` has: PellicleBsdfInfo::varying_count, or 0 with NULL.
+    PellicleConstView wi;
+    // One view per varying parameter, in the order of PellicleBsdfDesc::varying. NULL: every varying
+    // parameter has its default (PellicleVaryingInfo); so does one whose data is NULL.
+    const PellicleConstView *varying;
+    // Number of views in `varying`: PellicleBsdfInfo::varying_count, or 0 with NULL.
     size_t varying_count;
+    // Transport and lobes of all elements; NULL: radiance and every lobe.
+    const PellicleCall *call;
     // Receives f(wo, wi) |wi.z|, 3 components.
-    struct PellicleView value;
-    // Receives the density, 1 component.
-    struct PellicleView pdf;
+    PellicleView value;
+    // Receives the density of wi, 1 component.
+    PellicleView pdf;
+    // Receives the density of wo for a sample from wi, 1 component.
+    PellicleView pdf_reverse;
 } PellicleEvalBatchArgs;
 
-// A strided array of whole numbers to write, one per element; data NULL = not wanted.
-// Frozen for this ABI version.
+// A strided array of whole numbers to write, one per element. data NULL means that it is not wanted. Any
+// alignment. Frozen.
 typedef struct PellicleUintView {
     // Element 0.
     uint32_t *data;
@@ -385,175 +513,181 @@ typedef struct PellicleUintView {
     ptrdiff_t element_stride;
 } PellicleUintView;
 
-// Arguments of pellicle_bsdf_sample_batch(). Zero-initialise. Grows by appending; pass
+// Arguments of pellicle_bsdf_sample_batch(). Zero-initialise them. They grow by appending; pass
 // sizeof(PellicleSampleBatchArgs). The outputs are PellicleSample's fields.
 typedef struct PellicleSampleBatchArgs {
-    // How many elements; 0 is allowed and does nothing.
+    // Number of elements; 0 is allowed and does nothing.
     size_t count;
     // Directions to the viewer, 3 components.
-    struct PellicleConstView wo;
+    PellicleConstView wo;
     // Uniform random numbers in [0, 1), 3 components.
-    struct PellicleConstView u;
+    PellicleConstView u;
     // As in PellicleEvalBatchArgs.
-    const struct PellicleConstView *varying;
+    const PellicleConstView *varying;
     // As in PellicleEvalBatchArgs.
     size_t varying_count;
+    // As in PellicleEvalBatchArgs.
+    const PellicleCall *call;
     // Receives the directions to the light, 3 components.
-    struct PellicleView wi;
-    // Receives the density, 1 component.
-    struct PellicleView pdf;
+    PellicleView wi;
+    // Receives the density of wi, 1 component.
+    PellicleView pdf;
     // Receives value / pdf, 3 components.
-    struct PellicleView weight;
+    PellicleView weight;
     // Receives the ratio of indices, 1 component.
-    struct PellicleView eta;
+    PellicleView eta;
     // Receives the chosen lobe's flags.
-    struct PellicleUintView flags;
+    PellicleUintView flags;
     // Receives the chosen lobe's number.
-    struct PellicleUintView lobe;
+    PellicleUintView lobe;
+    // Receives the probability of choosing that lobe, 1 component.
+    PellicleView lobe_probability;
 } PellicleSampleBatchArgs;
 
-// Arguments of pellicle_film_reflectance_batch(). Zero-initialise. Grows by appending; pass
+// Arguments of pellicle_film_reflectance_batch(). Zero-initialise them. They grow by appending; pass
 // sizeof(PellicleFilmBatchArgs).
 typedef struct PellicleFilmBatchArgs {
-    // How many elements; 0 is allowed and does nothing.
+    // Number of elements; 0 is allowed and does nothing.
     size_t count;
     // Cosines of incidence in the ambient medium, 1 component.
-    struct PellicleConstView cos_theta;
-    // Thicknesses of the layer that varies, nm, 1 component; data NULL only if none does.
-    struct PellicleConstView thickness_nm;
+    PellicleConstView cos_theta;
+    // Thicknesses of the layer that varies, nm, 1 component; data may be NULL only if none varies.
+    PellicleConstView thickness_nm;
     // Receives the reflectance, 3 components.
-    struct PellicleView reflectance;
+    PellicleView reflectance;
 } PellicleFilmBatchArgs;
 
-// Every function of this header, by its name without the prefix. Grows by appending: before using
+// Every function of this header, by its name without the prefix. It grows by appending: before using
 // a member that was added later, check that it lies within `size`.
-typedef struct PellicleApi {
+struct PellicleApi {
     // Bytes in this table.
     size_t size;
-    // pellicle_abi_version()
     uint32_t (*abi_version)(void);
-    // pellicle_version_string()
     const char *(*version_string)(void);
-    // pellicle_status_string()
     const char *(*status_string)(PellicleStatus status);
-    // pellicle_last_error()
     const char *(*last_error)(void);
-    // pellicle_model_count()
     size_t (*model_count)(void);
-    // pellicle_model_info()
-    PellicleStatus (*model_info)(size_t model, struct PellicleModelInfo *info, size_t info_size);
-    // pellicle_model_param()
-    PellicleStatus (*model_param)(size_t model,
-                                  size_t param,
-                                  struct PellicleModelParam *info,
-                                  size_t info_size);
-    // pellicle_bsdf_create()
-    PellicleStatus (*bsdf_create)(const struct PellicleBsdfDesc *desc,
-                                  size_t desc_size,
-                                  struct PellicleBsdf **bsdf);
-    // pellicle_bsdf_retain()
-    PellicleStatus (*bsdf_retain)(struct PellicleBsdf *bsdf);
-    // pellicle_bsdf_release()
-    void (*bsdf_release)(struct PellicleBsdf *bsdf);
-    // pellicle_bsdf_info()
-    PellicleStatus (*bsdf_info)(const struct PellicleBsdf *bsdf,
-                                struct PellicleBsdfInfo *info,
-                                size_t info_size);
-    // pellicle_bsdf_eval()
-    PellicleStatus (*bsdf_eval)(const struct PellicleBsdf *bsdf,
-                                const float *wo,
-                                const float *wi,
-                                const float *varying,
-                                float *value,
-                                float *pdf);
-    // pellicle_bsdf_sample()
-    PellicleStatus (*bsdf_sample)(const struct PellicleBsdf *bsdf,
-                                  const float *wo,
-                                  const float *u,
-                                  const float *varying,
-                                  struct PellicleSample *sample,
-                                  size_t sample_size);
-    // pellicle_bsdf_albedo()
-    PellicleStatus (*bsdf_albedo)(const struct PellicleBsdf *bsdf,
-                                  const float *wo,
-                                  const float *varying,
-                                  float *albedo);
-    // pellicle_bsdf_eval_batch()
-    PellicleStatus (*bsdf_eval_batch)(const struct PellicleBsdf *bsdf,
-                                      const struct PellicleEvalBatchArgs *args,
-                                      size_t args_size);
-    // pellicle_bsdf_sample_batch()
-    PellicleStatus (*bsdf_sample_batch)(const struct PellicleBsdf *bsdf,
-                                        const struct PellicleSampleBatchArgs *args,
-                                        size_t args_size);
-    // pellicle_film_create()
-    PellicleStatus (*film_create)(const struct PellicleFilmDesc *desc,
-                                  size_t desc_size,
-                                  struct PellicleFilm **film);
-    // pellicle_film_retain()
-    PellicleStatus (*film_retain)(struct PellicleFilm *film);
-    // pellicle_film_release()
-    void (*film_release)(struct PellicleFilm *film);
-    // pellicle_film_plan()
-    PellicleStatus (*film_plan)(const struct PellicleFilm *film,
-                                struct PellicleFilmPlan *plan,
-                                size_t plan_size);
-    // pellicle_film_reflectance()
-    PellicleStatus (*film_reflectance)(const struct PellicleFilm *film,
-                                       float cos_theta,
-                                       float thickness_nm,
-                                       float *rgb);
-    // pellicle_film_eval()
-    PellicleStatus (*film_eval)(const struct PellicleFilm *film,
-                                float cos_theta,
-                                float thickness_nm,
-                                uint32_t side,
-                                float *reflectance,
-                                float *transmittance);
-    // pellicle_film_reflectance_batch()
-    PellicleStatus (*film_reflectance_batch)(const struct PellicleFilm *film,
-                                             const struct PellicleFilmBatchArgs *args,
-                                             size_t args_size);
-    // pellicle_film_reference()
-    PellicleStatus (*film_reference)(const struct PellicleFilm *film,
-                                     float cos_theta,
-                                     float thickness_nm,
-                                     float *rgb);
-    // pellicle_film_spectrum()
-    PellicleStatus (*film_spectrum)(const struct PellicleFilm *film,
-                                    float cos_theta,
-                                    float thickness_nm,
-                                    const float *lambda_nm,
-                                    size_t count,
-                                    float *reflectance);
-} PellicleApi;
+    PellicleStatus (*model_info)(size_t model, PellicleModelInfo *info, size_t info_size);
+    PellicleStatus (*model_param)(
+        size_t model,
+        size_t param,
+        PellicleModelParam *info,
+        size_t info_size);
+    size_t (*medium_count)(void);
+    PellicleStatus (*medium_info)(size_t medium, PellicleMediumInfo *info, size_t info_size);
+    const char *(*name)(uint32_t list, size_t index);
+    PellicleStatus (*film_create)(
+        const PellicleFilmDesc *desc,
+        size_t desc_size,
+        PellicleFilm **film);
+    void (*film_retain)(const PellicleFilm *film);
+    void (*film_release)(const PellicleFilm *film);
+    PellicleStatus (*film_info)(const PellicleFilm *film, PellicleFilmInfo *info, size_t info_size);
+    PellicleStatus (*film_plan)(const PellicleFilm *film, PellicleFilmPlan *plan, size_t plan_size);
+    PellicleStatus (*film_reflectance)(
+        const PellicleFilm *film,
+        float cos_theta,
+        float thickness_nm,
+        float *rgb);
+    PellicleStatus (*film_eval)(
+        const PellicleFilm *film,
+        float cos_theta,
+        float thickness_nm,
+        uint32_t side,
+        float *reflectance,
+        float *transmittance);
+    PellicleStatus (*film_reference)(
+        const PellicleFilm *film,
+        float cos_theta,
+        float thickness_nm,
+        float *rgb);
+    PellicleStatus (*film_spectrum)(
+        const PellicleFilm *film,
+        float cos_theta,
+        float thickness_nm,
+        const float *lambda_nm,
+        size_t count,
+        float *reflectance);
+    PellicleStatus (*bsdf_create)(
+        const PellicleBsdfDesc *desc,
+        size_t desc_size,
+        PellicleBsdf **bsdf);
+    void (*bsdf_retain)(const PellicleBsdf *bsdf);
+    void (*bsdf_release)(const PellicleBsdf *bsdf);
+    PellicleStatus (*bsdf_info)(const PellicleBsdf *bsdf, PellicleBsdfInfo *info, size_t info_size);
+    PellicleStatus (*bsdf_varying)(
+        const PellicleBsdf *bsdf,
+        size_t varying,
+        PellicleVaryingInfo *info,
+        size_t info_size);
+    PellicleStatus (*bsdf_lobe)(
+        const PellicleBsdf *bsdf,
+        size_t lobe,
+        PellicleLobeInfo *info,
+        size_t info_size);
+    PellicleStatus (*bsdf_eval)(
+        const PellicleBsdf *bsdf,
+        const float *wo,
+        const float *wi,
+        const float *varying,
+        const PellicleCall *call,
+        float *value,
+        float *pdf,
+        float *pdf_reverse);
+    PellicleStatus (*bsdf_sample)(
+        const PellicleBsdf *bsdf,
+        const float *wo,
+        const float *u,
+        const float *varying,
+        const PellicleCall *call,
+        PellicleSample *sample,
+        size_t sample_size);
+    PellicleStatus (*bsdf_albedo)(
+        const PellicleBsdf *bsdf,
+        const float *wo,
+        const float *varying,
+        const PellicleCall *call,
+        float *albedo);
+    PellicleStatus (*bsdf_eval_batch)(
+        const PellicleBsdf *bsdf,
+        const PellicleEvalBatchArgs *args,
+        size_t args_size);
+    PellicleStatus (*bsdf_sample_batch)(
+        const PellicleBsdf *bsdf,
+        const PellicleSampleBatchArgs *args,
+        size_t args_size);
+    PellicleStatus (*film_reflectance_batch)(
+        const PellicleFilm *film,
+        const PellicleFilmBatchArgs *args,
+        size_t args_size);
+};
 
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
 
-// PELLICLE_ABI_VERSION of the library that runs; compare it with the header's.
+// Gives PELLICLE_ABI_VERSION of the library that runs; compare it with the header's.
 uint32_t pellicle_abi_version(void);
 
-// Version of the library that runs, "major.minor.patch"; lives as long as the library.
+// Gives the version of the library that runs, "major.minor.patch". It lives as long as the library.
 const char *pellicle_version_string(void);
 
-// A status in words, "unknown status" for a number that is none; lives as long as the library.
+// Gives a status in words, "unknown status" for a number that is none. It lives as long as the library.
 const char *pellicle_status_string(PellicleStatus status);
 
-// What was wrong in this thread's last failing call: which argument, its value, what is allowed.
-// Never NULL; empty before the first failure. The text is valid until this thread's next failing
+// Tells what was wrong in this thread's last failing call: which argument, its value, what is allowed.
+// It is never NULL, and empty before the first failure. The text is valid until this thread's next failing
 // call or its end; longer messages are cut at 1023 bytes.
 const char *pellicle_last_error(void);
 
-// How many models this build offers.
+// Tells how many models this build offers.
 size_t pellicle_model_count(void);
 
 // Describes the model with number `model`, below pellicle_model_count(); else OUT_OF_RANGE.
 //
 // Preconditions:
 // `info` must be NULL (refused) or good for `info_size` bytes.
-PellicleStatus pellicle_model_info(size_t model, struct PellicleModelInfo *info, size_t info_size);
+PellicleStatus pellicle_model_info(size_t model, PellicleModelInfo *info, size_t info_size);
 
 // Describes parameter number `param`, below PellicleModelInfo::param_count, of model number
 // `model`; else OUT_OF_RANGE.
@@ -562,42 +696,65 @@ PellicleStatus pellicle_model_info(size_t model, struct PellicleModelInfo *info,
 // `info` must be NULL (refused) or good for `info_size` bytes.
 PellicleStatus pellicle_model_param(size_t model,
                                     size_t param,
-                                    struct PellicleModelParam *info,
+                                    PellicleModelParam *info,
                                     size_t info_size);
 
-// Creates a film: validates the description, chooses and compiles the method that evaluates it, and
-// stores a handle with one reference in `*film`. Meant for loading, not for shading.
-//
-// Fails with UNKNOWN_NAME (medium, white, color_space, method), OUT_OF_RANGE (numbers, the number of
-// layers), INVALID_ARGUMENT (NULL, a medium missing or given in two ways, two layers that vary),
-// UNSUPPORTED (a method that does not take such a film, fields of a later version) or OUT_OF_MEMORY;
-// `*film` is then untouched.
-//
-// Preconditions:
-// `desc` must be good for `desc_size` bytes, its pointers for their counts, `film` for one pointer.
-PellicleStatus pellicle_film_create(const struct PellicleFilmDesc *desc,
-                                    size_t desc_size,
-                                    struct PellicleFilm **film);
+// Tells how many media are known by name.
+size_t pellicle_medium_count(void);
 
-// Adds a reference to a film: one more pellicle_film_release() is then due.
+// Describes the medium with number `medium`, below pellicle_medium_count(); else OUT_OF_RANGE.
 //
 // Preconditions:
-// `film` must be NULL (refused) or a handle that has not been released.
-PellicleStatus pellicle_film_retain(struct PellicleFilm *film);
+// `info` must be NULL (refused) or good for `info_size` bytes.
+PellicleStatus pellicle_medium_info(size_t medium,
+                                    PellicleMediumInfo *info,
+                                    size_t info_size);
+
+// Gives the name with number `index` of a list, PELLICLE_NAMES_METHOD and so on: NULL beyond the last one,
+// and for a list that does not exist. The name lives as long as the library.
+const char *pellicle_name(uint32_t list,
+                          size_t index);
+
+// Creates a film: validates the description, chooses and compiles the method that evaluates it, and
+// stores a handle with one reference in `*film`. Call it when loading, not when shading: @FILM_TIME@.
+//
+// Fails with UNKNOWN_NAME (medium, white, color_space, method, level), OUT_OF_RANGE (numbers, the number of
+// layers), INVALID_ARGUMENT (NULL, a wrong size, a medium missing or given in two ways, two layers that
+// vary), UNSUPPORTED (a method that does not take such a film, fields of a later version) or OUT_OF_MEMORY; `*film` is then untouched.
+//
+// Preconditions:
+// `desc` must be good for `desc_size` bytes, its pointers for their counts and sizes, `film` for one pointer.
+PellicleStatus pellicle_film_create(const PellicleFilmDesc *desc,
+                                    size_t desc_size,
+                                    PellicleFilm **film);
+
+// Adds a reference to a film: one more pellicle_film_release() is then due. NULL does nothing.
+//
+// Preconditions:
+// `film` must be NULL or a live handle.
+void pellicle_film_retain(const PellicleFilm *film);
 
 // Gives up a reference to a film; the last one frees it. NULL does nothing. A BSDF made with the
 // film holds a reference of its own.
 //
 // Preconditions:
-// `film` must be NULL or a handle of which a reference is owned.
-void pellicle_film_release(struct PellicleFilm *film);
+// `film` must be NULL or a handle of which the caller owns a reference.
+void pellicle_film_release(const PellicleFilm *film);
+
+// Tells what a film is.
+//
+// Preconditions:
+// `film` must be NULL (refused) or a live handle, `info` good for `info_size` bytes.
+PellicleStatus pellicle_film_info(const PellicleFilm *film,
+                                  PellicleFilmInfo *info,
+                                  size_t info_size);
 
 // Tells how a film is evaluated, and how well.
 //
 // Preconditions:
 // `film` must be NULL (refused) or a live handle, `plan` good for `plan_size` bytes.
-PellicleStatus pellicle_film_plan(const struct PellicleFilm *film,
-                                  struct PellicleFilmPlan *plan,
+PellicleStatus pellicle_film_plan(const PellicleFilm *film,
+                                  PellicleFilmPlan *plan,
                                   size_t plan_size);
 
 // Reflectance of unpolarised light from the ambient's side, RGB, into `rgb` (3 numbers).
@@ -608,7 +765,7 @@ PellicleStatus pellicle_film_plan(const struct PellicleFilm *film,
 //
 // Preconditions:
 // `film` must be NULL (refused) or a live handle, `rgb` NULL (refused) or good for 3 numbers.
-PellicleStatus pellicle_film_reflectance(const struct PellicleFilm *film,
+PellicleStatus pellicle_film_reflectance(const PellicleFilm *film,
                                          float cos_theta,
                                          float thickness_nm,
                                          float *rgb);
@@ -623,7 +780,7 @@ PellicleStatus pellicle_film_reflectance(const struct PellicleFilm *film,
 //
 // Preconditions:
 // `film` must be NULL (refused) or a live handle, the outputs NULL or good for 3 numbers.
-PellicleStatus pellicle_film_eval(const struct PellicleFilm *film,
+PellicleStatus pellicle_film_eval(const PellicleFilm *film,
                                   float cos_theta,
                                   float thickness_nm,
                                   uint32_t side,
@@ -635,7 +792,7 @@ PellicleStatus pellicle_film_eval(const struct PellicleFilm *film,
 //
 // Preconditions:
 // As for pellicle_film_reflectance().
-PellicleStatus pellicle_film_reference(const struct PellicleFilm *film,
+PellicleStatus pellicle_film_reference(const PellicleFilm *film,
                                        float cos_theta,
                                        float thickness_nm,
                                        float *rgb);
@@ -644,14 +801,14 @@ PellicleStatus pellicle_film_reference(const struct PellicleFilm *film,
 // optics, for spectral renderers. Allocates.
 //
 // `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE.
-// Named media are constant outside 380-780 nm. `reflectance`: `count` numbers; may be `lambda_nm`'s
-// own memory, not otherwise overlap it. `cos_theta` and `thickness_nm` as in
-// pellicle_film_reflectance().
+// Named media are constant outside the range of their data (PellicleMediumInfo). `reflectance`: `count`
+// numbers; it may be the array `lambda_nm` itself, and is refused if it overlaps that otherwise.
+// `cos_theta` and `thickness_nm` as in pellicle_film_reflectance().
 //
 // Preconditions:
 // `film` must be NULL (refused) or a live handle, the arrays NULL (refused, unless `count` is 0) or
 // good for `count` numbers.
-PellicleStatus pellicle_film_spectrum(const struct PellicleFilm *film,
+PellicleStatus pellicle_film_spectrum(const PellicleFilm *film,
                                       float cos_theta,
                                       float thickness_nm,
                                       const float *lambda_nm,
@@ -659,112 +816,141 @@ PellicleStatus pellicle_film_spectrum(const struct PellicleFilm *film,
                                       float *reflectance);
 
 // Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
-// `*bsdf`.
+// `*bsdf`. Call it when loading, not when shading: @BSDF_TIME@.
 //
-// Fails with UNKNOWN_NAME (model, parameter, choice), OUT_OF_RANGE (numbers, ranges, sums),
-// INVALID_ARGUMENT (NULL, wrong count, something given twice, a film too many or too few) or
-// UNSUPPORTED (a parameter that cannot vary, fields of a later version); `*bsdf` is then untouched.
+// Fails with UNKNOWN_NAME (model, parameter, choice, level), OUT_OF_RANGE (numbers, ranges, sums),
+// INVALID_ARGUMENT (NULL, a wrong count or size, something given twice, a film that is missing or not used)
+// or UNSUPPORTED (a parameter that cannot vary, fields of a later version); `*bsdf` is then untouched.
 //
 // Preconditions:
 // `desc` must be good for `desc_size` bytes, its pointers for their counts, its film NULL or a live
 // handle, `bsdf` good for one pointer.
-PellicleStatus pellicle_bsdf_create(const struct PellicleBsdfDesc *desc,
+PellicleStatus pellicle_bsdf_create(const PellicleBsdfDesc *desc,
                                     size_t desc_size,
-                                    struct PellicleBsdf **bsdf);
+                                    PellicleBsdf **bsdf);
 
-// Adds a reference to a BSDF: one more pellicle_bsdf_release() is then due.
+// Adds a reference to a BSDF: one more pellicle_bsdf_release() is then due. NULL does nothing.
 //
 // Preconditions:
-// `bsdf` must be NULL (refused) or a handle that has not been released.
-PellicleStatus pellicle_bsdf_retain(struct PellicleBsdf *bsdf);
+// `bsdf` must be NULL or a live handle.
+void pellicle_bsdf_retain(const PellicleBsdf *bsdf);
 
 // Gives up a reference to a BSDF; the last one frees it. NULL does nothing.
 //
 // Preconditions:
-// `bsdf` must be NULL or a handle of which a reference is owned.
-void pellicle_bsdf_release(struct PellicleBsdf *bsdf);
+// `bsdf` must be NULL or a handle of which the caller owns a reference.
+void pellicle_bsdf_release(const PellicleBsdf *bsdf);
 
 // Tells what a BSDF is.
 //
 // Preconditions:
 // `bsdf` must be NULL (refused) or a live handle, `info` good for `info_size` bytes.
-PellicleStatus pellicle_bsdf_info(const struct PellicleBsdf *bsdf,
-                                  struct PellicleBsdfInfo *info,
+PellicleStatus pellicle_bsdf_info(const PellicleBsdf *bsdf,
+                                  PellicleBsdfInfo *info,
                                   size_t info_size);
 
-// Evaluates f(wo, wi) |wi.z| and the density with which pellicle_bsdf_sample() finds wi.
-//
-// `wo`, `wi`: 3 numbers each. `varying`: PellicleBsdfInfo::varying_floats numbers, the components
-// of the varying parameters one after another in declared order; NULL takes the values from the
-// description. `value`: 3 numbers; `pdf`: one; either may be NULL if not wanted, not both.
+// Describes the varying parameter with number `varying`, in declared order, below
+// PellicleBsdfInfo::varying_count; else OUT_OF_RANGE.
 //
 // Preconditions:
-// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated.
-PellicleStatus pellicle_bsdf_eval(const struct PellicleBsdf *bsdf,
+// `bsdf` must be NULL (refused) or a live handle, `info` good for `info_size` bytes.
+PellicleStatus pellicle_bsdf_varying(const PellicleBsdf *bsdf,
+                                     size_t varying,
+                                     PellicleVaryingInfo *info,
+                                     size_t info_size);
+
+// Describes the lobe with number `lobe`, below PellicleBsdfInfo::lobe_count; else OUT_OF_RANGE.
+//
+// Preconditions:
+// `bsdf` must be NULL (refused) or a live handle, `info` good for `info_size` bytes.
+PellicleStatus pellicle_bsdf_lobe(const PellicleBsdf *bsdf,
+                                  size_t lobe,
+                                  PellicleLobeInfo *info,
+                                  size_t info_size);
+
+// Evaluates f(wo, wi) |wi.z|, the density with which pellicle_bsdf_sample() finds wi from wo, and the
+// density with which it finds wo from wi.
+//
+// `wo`, `wi`: 3 numbers each. `varying`: PellicleBsdfInfo::varying_floats numbers, the components of the
+// varying parameters one after another in declared order; NULL gives each its default (see
+// PellicleVaryingInfo). `call`: transport and lobes; NULL means radiance and every lobe. `value`: 3 numbers;
+// `pdf` and `pdf_reverse`: one each, per solid angle. Each output may be NULL if it is not wanted, but not
+// all of them.
+//
+// Preconditions:
+// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `call` good for its size.
+PellicleStatus pellicle_bsdf_eval(const PellicleBsdf *bsdf,
                                   const float *wo,
                                   const float *wi,
                                   const float *varying,
+                                  const PellicleCall *call,
                                   float *value,
-                                  float *pdf);
+                                  float *pdf,
+                                  float *pdf_reverse);
 
 // Samples a direction to the light. `u`: 3 uniform random numbers in [0, 1); the first chooses the
-// lobe. `varying` as in pellicle_bsdf_eval(). Without a valid sample everything in `sample` is 0.
+// lobe. `varying` and `call` as in pellicle_bsdf_eval(). Without a valid sample everything in `sample` is 0.
 //
 // Preconditions:
-// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `sample` good for
-// `sample_size` bytes.
-PellicleStatus pellicle_bsdf_sample(const struct PellicleBsdf *bsdf,
+// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `call` good for its size,
+// `sample` good for `sample_size` bytes.
+PellicleStatus pellicle_bsdf_sample(const PellicleBsdf *bsdf,
                                     const float *wo,
                                     const float *u,
                                     const float *varying,
-                                    struct PellicleSample *sample,
+                                    const PellicleCall *call,
+                                    PellicleSample *sample,
                                     size_t sample_size);
 
-// Directional albedo: the integral of the value over wi, Dirac lobes included, RGB, into `albedo` (3
-// numbers). `varying` as in pellicle_bsdf_eval(). By quadrature, which takes some milliseconds, unless the model has
-// a closed form; call it when preparing, not when shading. Transmitted light counts as radiance: seen
-// from within a dense base the albedo exceeds 1.
+// Integrates the value over wi, Dirac lobes included: the directional albedo, RGB, into `albedo` (3
+// numbers). `varying` and `call` as in pellicle_bsdf_eval(). Call it when preparing, not when shading: it is
+// a quadrature of some milliseconds, unless the model has a closed form. As radiance, transmitted light
+// carries (eta_o / eta_i)^2: seen from within a dense base the albedo exceeds 1.
 //
 // Preconditions:
-// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated.
-PellicleStatus pellicle_bsdf_albedo(const struct PellicleBsdf *bsdf,
+// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `call` good for its size.
+PellicleStatus pellicle_bsdf_albedo(const PellicleBsdf *bsdf,
                                     const float *wo,
                                     const float *varying,
+                                    const PellicleCall *call,
                                     float *albedo);
 
-// pellicle_bsdf_eval() for every element of strided arrays, equal to it bit for bit. `value` or
-// `pdf` may have data NULL if not wanted, not both. An output may be an input's own memory with
-// the same strides, otherwise outputs must not overlap inputs or each other.
+// Calls pellicle_bsdf_eval() for every element of strided arrays; the results are those of single calls, bit
+// for bit. An output with data NULL is not wanted; at least one must be.
+//
+// An output may be an input's own memory with the same strides. Any other overlap of an output with an
+// input or another output is undefined behaviour.
 //
 // Preconditions:
-// `bsdf` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, and every
-// address that its views stand for readable or writable.
-PellicleStatus pellicle_bsdf_eval_batch(const struct PellicleBsdf *bsdf,
-                                        const struct PellicleEvalBatchArgs *args,
+// `bsdf` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, `args->call` good for
+// its size, and every address that the views stand for readable or writable.
+PellicleStatus pellicle_bsdf_eval_batch(const PellicleBsdf *bsdf,
+                                        const PellicleEvalBatchArgs *args,
                                         size_t args_size);
 
-// pellicle_bsdf_sample() for every element of strided arrays, equal to it bit for bit. Outputs with
-// data NULL are not wanted; at least one must be. Overlap as in pellicle_bsdf_eval_batch().
+// Calls pellicle_bsdf_sample() for every element of strided arrays; the results are those of single calls,
+// bit for bit. An output with data NULL is not wanted; at least one must be. Overlap is as for
+// pellicle_bsdf_eval_batch().
 //
 // Preconditions:
 // As for pellicle_bsdf_eval_batch().
-PellicleStatus pellicle_bsdf_sample_batch(const struct PellicleBsdf *bsdf,
-                                          const struct PellicleSampleBatchArgs *args,
+PellicleStatus pellicle_bsdf_sample_batch(const PellicleBsdf *bsdf,
+                                          const PellicleSampleBatchArgs *args,
                                           size_t args_size);
 
-// pellicle_film_reflectance() for every element of strided arrays, equal to it bit for bit. Overlap
-// as in pellicle_bsdf_eval_batch().
+// Calls pellicle_film_reflectance() for every element of strided arrays; the results are those of single
+// calls, bit for bit. Overlap is as for pellicle_bsdf_eval_batch().
 //
 // Preconditions:
 // `film` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, and every
 // address that its views stand for readable or writable.
-PellicleStatus pellicle_film_reflectance_batch(const struct PellicleFilm *film,
-                                               const struct PellicleFilmBatchArgs *args,
+PellicleStatus pellicle_film_reflectance_batch(const PellicleFilm *film,
+                                               const PellicleFilmBatchArgs *args,
                                                size_t args_size);
 
-// The table of functions, for dlsym(): the one symbol to look up. Pass PELLICLE_ABI_VERSION; NULL
-// if the library that runs has another one. The table lives as long as the library.
-const struct PellicleApi *pellicle_get_api(uint32_t abi_version);
+// Gives the table of functions: the one symbol to look up with dlsym(). Pass PELLICLE_ABI_VERSION; NULL
+// means that the library that runs has another one. The table lives as long as the library.
+const PellicleApi *pellicle_get_api(uint32_t abi_version);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -2,7 +2,10 @@
 //
 // It adds ownership (Bsdf, Film), exceptions (Error) and a way to describe either in one expression
 // (BsdfBuilder, FilmBuilder); conventions, units and limits are those written at the top of pellicle.h.
-// Programs built without exceptions use pellicle.h.
+//
+// Without exceptions (-fno-exceptions) everything that throws is left out: create with
+// BsdfBuilder::create(Bsdf &) and FilmBuilder::create(Film &), which return a status, and call the functions
+// of pellicle.h on raw().
 
 #ifndef PELLICLE_HPP
 #define PELLICLE_HPP
@@ -14,13 +17,20 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#if defined(__cpp_exceptions) || defined(_CPPUNWIND)
+#define PELLICLE_HPP_THROWS 1
+#include <stdexcept>
+#else
+#define PELLICLE_HPP_THROWS 0
+#endif
+
 namespace pellicle {
 
+#if PELLICLE_HPP_THROWS
 // A call that failed. what() is the text of pellicle_last_error(), copied: it outlives later calls.
 class Error : public std::runtime_error {
 public:
@@ -32,29 +42,33 @@ public:
 private:
     PellicleStatus status_;
 };
+#endif
 
+// Names in here have the prefix of the library: hosts define words such as check and verify as macros.
 namespace detail {
 
-inline void check(PellicleStatus status) {
+#if PELLICLE_HPP_THROWS
+inline void pellicle_throw_on_failure(PellicleStatus status) {
     if (status != PELLICLE_OK) throw Error(status, pellicle_last_error());
 }
+#endif
 
 // One reference to an object of pellicle.h, or none. A copy retains, the destructor releases.
-template <class Object, PellicleStatus (*retain)(Object *), void (*release)(Object *)> class Handle {
+template <class Object, void (*retain)(const Object *), void (*release)(const Object *)> class Handle {
 public:
     Handle() noexcept = default;
     // Takes over one reference.
     explicit Handle(Object *adopted) noexcept : object_(adopted) {}
 
-    Handle(const Handle &other) : object_(other.object_) {
-        if (object_ != nullptr) check(retain(object_));
-    }
-
+    Handle(const Handle &other) noexcept : object_(other.object_) { retain(object_); }
     Handle(Handle &&other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
 
-    // By value: the argument is the copy or the move, and takes the old reference away with it.
-    Handle &operator=(Handle other) noexcept {
-        std::swap(object_, other.object_);
+    Handle &operator=(const Handle &other) noexcept {
+        Handle(other).trade(*this);
+        return *this;
+    }
+    Handle &operator=(Handle &&other) noexcept {
+        Handle(std::move(other)).trade(*this);
         return *this;
     }
 
@@ -63,12 +77,24 @@ public:
     Object *get() const noexcept { return object_; }
 
 private:
+    void trade(Handle &other) noexcept { object_ = std::exchange(other.object_, object_); }
+
     Object *object_ = nullptr;
 };
 
 } // namespace detail
 
-// Three floats to read, from `const float *` or std::array. Does not own them: meant as a parameter
+// Transport and lobes for the calls of a Bsdf: PELLICLE_TRANSPORT_RADIANCE or _IMPORTANCE, and a mask of
+// lobe flags, 0 for every lobe.
+inline PellicleCall call_options(std::uint32_t transport, std::uint32_t lobes = 0) noexcept {
+    PellicleCall options{};
+    options.size = sizeof options;
+    options.transport = transport;
+    options.lobes = lobes;
+    return options;
+}
+
+// Three floats to read, from `const float *` or std::array. It does not own them: it is meant as a parameter
 // type, where a temporary array lives until the call has returned.
 class Float3 {
 public:
@@ -81,7 +107,7 @@ private:
     const float *components_;
 };
 
-// A medium of a film. Owns what it is given.
+// A medium of a film. It owns what it is given.
 class Medium {
 public:
     // Vacuum, as a film's ambient; refused elsewhere.
@@ -136,9 +162,9 @@ public:
     }
 
 private:
-    std::optional<std::string> name_;
+    std::optional<std::string> name_{};
     std::array<float, 3> eta_{}, k_{};
-    std::vector<float> table_nm_, table_eta_, table_k_;
+    std::vector<float> table_nm_{}, table_eta_{}, table_k_{};
 };
 
 // What Film::eval() returns: fractions of the power, RGB.
@@ -146,20 +172,16 @@ struct FilmColors {
     std::array<float, 3> reflectance, transmittance;
 };
 
-// An owning handle of a compiled film; as Bsdf, it is shared by its copies and by threads.
+// An owning handle of a compiled film; as with Bsdf, its copies and threads share it.
 //
 // `cos_theta` is the cosine of incidence, clamped to [1e-9, 1]; `thickness_nm` that of the layer that
-// varies, clamped to its range, and of no consequence if none does. NaN gives 0.
+// varies, clamped to its range, and without effect if none does. NaN gives 0.
+//
+// A default-constructed or moved-from Film holds nothing: its calls throw Error with
+// PELLICLE_INVALID_ARGUMENT.
 class Film {
 public:
     Film() noexcept = default;
-
-    // Compiles a description. Throws Error; the message says what was wrong and what would be right.
-    explicit Film(const PellicleFilmDesc &desc) {
-        PellicleFilm *film = nullptr;
-        detail::check(pellicle_film_create(&desc, sizeof desc, &film));
-        film_ = Handle(film);
-    }
 
     // Takes over one reference to a handle made with pellicle.h.
     explicit Film(PellicleFilm *adopted) noexcept : film_(adopted) {}
@@ -167,49 +189,69 @@ public:
     // The handle, for calls of pellicle.h; still owned by this object.
     PellicleFilm *raw() const noexcept { return film_.get(); }
 
-    // Which method evaluates it, and how well. The strings live as long as the film.
+#if PELLICLE_HPP_THROWS
+    // Compiles a description. Throws Error; the message says what was wrong and what would be right.
+    explicit Film(const PellicleFilmDesc &desc) : film_() {
+        PellicleFilm *film = nullptr;
+        detail::pellicle_throw_on_failure(pellicle_film_create(&desc, sizeof desc, &film));
+        film_ = Handle(film);
+    }
+
+    // Whether a layer varies, and in which range of thickness.
+    PellicleFilmInfo info() const {
+        PellicleFilmInfo info{};
+        detail::pellicle_throw_on_failure(pellicle_film_info(raw(), &info, sizeof info));
+        return info;
+    }
+
+    // Which method evaluates it, and how well. The texts live as long as the film.
     PellicleFilmPlan plan() const {
         PellicleFilmPlan plan{};
-        detail::check(pellicle_film_plan(raw(), &plan, sizeof plan));
+        detail::pellicle_throw_on_failure(pellicle_film_plan(raw(), &plan, sizeof plan));
         return plan;
     }
 
-    // From the ambient's side, RGB.
+    // Reflectance from the ambient's side, RGB.
     std::array<float, 3> reflectance(float cos_theta, float thickness_nm = 0.0f) const {
         std::array<float, 3> result{};
-        detail::check(pellicle_film_reflectance(raw(), cos_theta, thickness_nm, result.data()));
+        detail::pellicle_throw_on_failure(
+            pellicle_film_reflectance(raw(), cos_theta, thickness_nm, result.data()));
         return result;
     }
 
     // From the side PELLICLE_SIDE_AMBIENT or _BASE; needs FilmBuilder::transmittance().
     FilmColors eval(float cos_theta, float thickness_nm = 0.0f, std::uint32_t side = PELLICLE_SIDE_AMBIENT) const {
         FilmColors result{};
-        detail::check(pellicle_film_eval(raw(), cos_theta, thickness_nm, side, result.reflectance.data(),
-                                         result.transmittance.data()));
+        detail::pellicle_throw_on_failure(pellicle_film_eval(raw(), cos_theta, thickness_nm, side,
+                                                             result.reflectance.data(),
+                                                             result.transmittance.data()));
         return result;
     }
 
-    // reflectance() of args.count elements; the numbers are the same as of single calls.
+    // reflectance() of args.count elements; the numbers are those of single calls.
     void reflectance_batch(const PellicleFilmBatchArgs &args) const {
-        detail::check(pellicle_film_reflectance_batch(raw(), &args, sizeof args));
+        detail::pellicle_throw_on_failure(pellicle_film_reflectance_batch(raw(), &args, sizeof args));
     }
 
     // What reflectance() approximates: slow, converged, never clipped.
     std::array<float, 3> reference(float cos_theta, float thickness_nm = 0.0f) const {
         std::array<float, 3> result{};
-        detail::check(pellicle_film_reference(raw(), cos_theta, thickness_nm, result.data()));
+        detail::pellicle_throw_on_failure(
+            pellicle_film_reference(raw(), cos_theta, thickness_nm, result.data()));
         return result;
     }
 
     // Reflectance at `count` vacuum wavelengths.
     void spectrum(float cos_theta, float thickness_nm, const float *lambda_nm, std::size_t count,
                   float *reflectance) const {
-        detail::check(pellicle_film_spectrum(raw(), cos_theta, thickness_nm, lambda_nm, count, reflectance));
+        detail::pellicle_throw_on_failure(
+            pellicle_film_spectrum(raw(), cos_theta, thickness_nm, lambda_nm, count, reflectance));
     }
+#endif
 
 private:
     using Handle = detail::Handle<PellicleFilm, pellicle_film_retain, pellicle_film_release>;
-    Handle film_;
+    Handle film_{};
 };
 
 // Describes a film, the layers outermost first:
@@ -280,22 +322,51 @@ public:
         return *this;
     }
 
-    // Throws Error; the message says what was wrong and what would be right.
-    Film create() const {
+    // The instructions of batches, a name out of PELLICLE_NAMES_SIMD_LEVEL, instead of the widest.
+    FilmBuilder &simd_level(std::string name) {
+        simd_level_ = std::move(name);
+        return *this;
+    }
+
+    // Stores a film in `result`, or leaves that as it was and returns what failed.
+    PellicleStatus create(Film &result) const {
+        const auto text = [](const std::optional<std::string> &name) {
+            return name ? name->c_str() : nullptr;
+        };
+        std::vector<PellicleMedium> media; // the layers point into it: it must not grow below
+        media.reserve(layers_.size());
         std::vector<PellicleLayer> layers;
-        for (const Layer &layer : layers_)
-            layers.push_back({layer.medium.raw(), layer.thickness_min_nm, layer.thickness_max_nm});
+        for (const Layer &layer : layers_) {
+            media.push_back(layer.medium.raw());
+            layers.push_back({&media.back(), layer.thickness_min_nm, layer.thickness_max_nm});
+        }
+        const PellicleMedium ambient = ambient_.raw(), base = base_.raw();
 
         PellicleFilmDesc desc = desc_;
-        desc.ambient = ambient_.raw();
+        desc.medium_size = sizeof(PellicleMedium);
+        desc.layer_size = sizeof(PellicleLayer);
+        desc.ambient = &ambient;
         desc.layers = layers.data();
         desc.layer_count = layers.size();
-        desc.base = base_.raw();
-        desc.white = white_ ? white_->c_str() : nullptr;
-        desc.color_space = color_space_ ? color_space_->c_str() : nullptr;
-        desc.method = method_ ? method_->c_str() : nullptr;
-        return Film(desc);
+        desc.base = &base;
+        desc.white = text(white_);
+        desc.color_space = text(color_space_);
+        desc.method = text(method_);
+        desc.simd_level = text(simd_level_);
+        PellicleFilm *film = nullptr;
+        const PellicleStatus status = pellicle_film_create(&desc, sizeof desc, &film);
+        if (status == PELLICLE_OK) result = Film(film);
+        return status;
     }
+
+#if PELLICLE_HPP_THROWS
+    // Throws Error; the message says what was wrong and what would be right.
+    Film create() const {
+        Film result;
+        detail::pellicle_throw_on_failure(create(result));
+        return result;
+    }
+#endif
 
 private:
     struct Layer {
@@ -304,9 +375,9 @@ private:
     };
 
     PellicleFilmDesc desc_{}; // its numbers; create() sets the pointers
-    Medium ambient_, base_;
-    std::vector<Layer> layers_;
-    std::optional<std::string> white_, color_space_, method_;
+    Medium ambient_{}, base_;
+    std::vector<Layer> layers_{};
+    std::optional<std::string> white_{}, color_space_{}, method_{}, simd_level_{};
 };
 
 // What Bsdf::eval() returns.
@@ -315,12 +386,20 @@ struct Evaluation {
     float pdf;                  // density of wi per solid angle
 };
 
+// What Bsdf::eval_both_ways() returns.
+struct TwoWayEvaluation {
+    std::array<float, 3> value; // f(wo, wi) |wi.z|, RGB
+    float pdf;                  // density of wi per solid angle, sampled from wo
+    float pdf_reverse;          // density of wo per solid angle, sampled from wi
+};
+
 // An owning handle of a compiled BSDF. Copies share the same immutable object (its reference count
 // goes up), so passing one by value is cheap and every thread may use it at once.
 //
 // `wo` points to the viewer, `wi` to the light; both are unit vectors in the shading frame.
 // `varying` holds the components of the varying parameters one after another, in the order in which
-// they were declared (info().varying_floats numbers); nullptr keeps the values given at creation.
+// they were declared (info().varying_floats numbers); nullptr gives each its default. `call` gives transport
+// and lobes, see call_options(); nullptr means radiance and every lobe.
 //
 // A default-constructed or moved-from Bsdf holds nothing: its calls throw Error with
 // PELLICLE_INVALID_ARGUMENT.
@@ -328,74 +407,112 @@ class Bsdf {
 public:
     Bsdf() noexcept = default;
 
-    // Compiles a description. Throws Error; the message says what was wrong and what would be right.
-    explicit Bsdf(const PellicleBsdfDesc &desc) {
-        PellicleBsdf *bsdf = nullptr;
-        detail::check(pellicle_bsdf_create(&desc, sizeof desc, &bsdf));
-        bsdf_ = Handle(bsdf);
-    }
-
     // Takes over one reference to a handle made with pellicle.h.
     explicit Bsdf(PellicleBsdf *adopted) noexcept : bsdf_(adopted) {}
 
     // The handle, for calls of pellicle.h; still owned by this object.
     PellicleBsdf *raw() const noexcept { return bsdf_.get(); }
 
+#if PELLICLE_HPP_THROWS
+    // Compiles a description. Throws Error; the message says what was wrong and what would be right.
+    explicit Bsdf(const PellicleBsdfDesc &desc) : bsdf_() {
+        PellicleBsdf *bsdf = nullptr;
+        detail::pellicle_throw_on_failure(pellicle_bsdf_create(&desc, sizeof desc, &bsdf));
+        bsdf_ = Handle(bsdf);
+    }
+
     // Model, flags, number of lobes and of varying floats.
     PellicleBsdfInfo info() const {
         PellicleBsdfInfo info{};
-        detail::check(pellicle_bsdf_info(raw(), &info, sizeof info));
+        detail::pellicle_throw_on_failure(pellicle_bsdf_info(raw(), &info, sizeof info));
+        return info;
+    }
+
+    // The varying parameter with that number, in declared order: name, range, default.
+    PellicleVaryingInfo varying(std::size_t number) const {
+        PellicleVaryingInfo info{};
+        detail::pellicle_throw_on_failure(pellicle_bsdf_varying(raw(), number, &info, sizeof info));
+        return info;
+    }
+
+    // The lobe with that number: name and flags.
+    PellicleLobeInfo lobe(std::size_t number) const {
+        PellicleLobeInfo info{};
+        detail::pellicle_throw_on_failure(pellicle_bsdf_lobe(raw(), number, &info, sizeof info));
         return info;
     }
 
     // f(wo, wi) |wi.z| and the density with which sample() chooses wi.
-    Evaluation eval(Float3 wo, Float3 wi, const float *varying = nullptr) const {
+    Evaluation eval(Float3 wo, Float3 wi, const float *varying = nullptr,
+                    const PellicleCall *call = nullptr) const {
         Evaluation result{};
-        detail::check(pellicle_bsdf_eval(raw(), wo.data(), wi.data(), varying, result.value.data(), &result.pdf));
+        eval(wo, wi, varying, call, result.value.data(), &result.pdf, nullptr);
+        return result;
+    }
+
+    // The same, and the density of the reverse direction.
+    TwoWayEvaluation eval_both_ways(Float3 wo, Float3 wi, const float *varying = nullptr,
+                                    const PellicleCall *call = nullptr) const {
+        TwoWayEvaluation result{};
+        eval(wo, wi, varying, call, result.value.data(), &result.pdf, &result.pdf_reverse);
         return result;
     }
 
     // f(wo, wi) |wi.z| alone: cheaper than eval() where the density is not needed.
-    std::array<float, 3> value(Float3 wo, Float3 wi, const float *varying = nullptr) const {
+    std::array<float, 3> value(Float3 wo, Float3 wi, const float *varying = nullptr,
+                               const PellicleCall *call = nullptr) const {
         std::array<float, 3> result{};
-        detail::check(pellicle_bsdf_eval(raw(), wo.data(), wi.data(), varying, result.data(), nullptr));
+        eval(wo, wi, varying, call, result.data(), nullptr, nullptr);
         return result;
     }
 
     // The density alone, per solid angle of wi.
-    float pdf(Float3 wo, Float3 wi, const float *varying = nullptr) const {
+    float pdf(Float3 wo, Float3 wi, const float *varying = nullptr, const PellicleCall *call = nullptr) const {
         float result = 0.0f;
-        detail::check(pellicle_bsdf_eval(raw(), wo.data(), wi.data(), varying, nullptr, &result));
+        eval(wo, wi, varying, call, nullptr, &result, nullptr);
         return result;
     }
 
     // Chooses wi from three uniform numbers in [0, 1). All zero: no valid sample.
-    PellicleSample sample(Float3 wo, Float3 u, const float *varying = nullptr) const {
+    PellicleSample sample(Float3 wo, Float3 u, const float *varying = nullptr,
+                          const PellicleCall *call = nullptr) const {
         PellicleSample result{};
-        detail::check(pellicle_bsdf_sample(raw(), wo.data(), u.data(), varying, &result, sizeof result));
+        detail::pellicle_throw_on_failure(
+            pellicle_bsdf_sample(raw(), wo.data(), u.data(), varying, call, &result, sizeof result));
         return result;
     }
 
     // Directional albedo, RGB.
-    std::array<float, 3> albedo(Float3 wo, const float *varying = nullptr) const {
+    std::array<float, 3> albedo(Float3 wo, const float *varying = nullptr,
+                                const PellicleCall *call = nullptr) const {
         std::array<float, 3> result{};
-        detail::check(pellicle_bsdf_albedo(raw(), wo.data(), varying, result.data()));
+        detail::pellicle_throw_on_failure(
+            pellicle_bsdf_albedo(raw(), wo.data(), varying, call, result.data()));
         return result;
     }
 
-    // eval() of args.count elements; the numbers are the same as of single calls.
+    // eval() of args.count elements; the numbers are those of single calls.
     void eval_batch(const PellicleEvalBatchArgs &args) const {
-        detail::check(pellicle_bsdf_eval_batch(raw(), &args, sizeof args));
+        detail::pellicle_throw_on_failure(pellicle_bsdf_eval_batch(raw(), &args, sizeof args));
     }
 
-    // sample() of args.count elements; the numbers are the same as of single calls.
+    // sample() of args.count elements; the numbers are those of single calls.
     void sample_batch(const PellicleSampleBatchArgs &args) const {
-        detail::check(pellicle_bsdf_sample_batch(raw(), &args, sizeof args));
+        detail::pellicle_throw_on_failure(pellicle_bsdf_sample_batch(raw(), &args, sizeof args));
     }
+#endif
 
 private:
+#if PELLICLE_HPP_THROWS
+    void eval(Float3 wo, Float3 wi, const float *varying, const PellicleCall *call, float *value, float *pdf,
+              float *pdf_reverse) const {
+        detail::pellicle_throw_on_failure(
+            pellicle_bsdf_eval(raw(), wo.data(), wi.data(), varying, call, value, pdf, pdf_reverse));
+    }
+#endif
+
     using Handle = detail::Handle<PellicleBsdf, pellicle_bsdf_retain, pellicle_bsdf_release>;
-    Handle bsdf_;
+    Handle bsdf_{};
 };
 
 // Describes a BSDF by names:
@@ -431,9 +548,9 @@ public:
         return *this;
     }
 
-    // The parameter is given per call, each component within [min, max]; 0 and 0 for a direction.
-    BsdfBuilder &vary(std::string name, float min, float max) {
-        varying_.push_back({std::move(name), min, max});
+    // The parameter is given per call, each component within [least, greatest]; 0 and 0 for a direction.
+    BsdfBuilder &vary(std::string name, float least, float greatest) {
+        varying_.push_back({std::move(name), least, greatest});
         return *this;
     }
 
@@ -443,15 +560,21 @@ public:
         return *this;
     }
 
-    // Throws Error; the message says what was wrong and what would be right.
-    Bsdf create() const {
+    // The instructions of batches, a name out of PELLICLE_NAMES_SIMD_LEVEL, instead of the widest.
+    BsdfBuilder &simd_level(std::string name) {
+        simd_level_ = std::move(name);
+        return *this;
+    }
+
+    // Stores a BSDF in `result`, or leaves that as it was and returns what failed.
+    PellicleStatus create(Bsdf &result) const {
         std::vector<PellicleParam> params;
         for (const Param &param : params_) {
             params.push_back({param.name.c_str(), param.choice ? nullptr : param.values.data(),
                               param.values.size(), param.choice ? param.choice->c_str() : nullptr});
         }
         std::vector<PellicleRange> varying;
-        for (const Range &range : varying_) varying.push_back({range.name.c_str(), range.min, range.max});
+        for (const Range &range : varying_) varying.push_back({range.name.c_str(), range.least, range.greatest});
 
         PellicleBsdfDesc desc{};
         desc.model = model_.c_str();
@@ -460,8 +583,21 @@ public:
         desc.varying = varying.data();
         desc.varying_count = varying.size();
         desc.film = film_.raw();
-        return Bsdf(desc);
+        desc.simd_level = simd_level_ ? simd_level_->c_str() : nullptr;
+        PellicleBsdf *bsdf = nullptr;
+        const PellicleStatus status = pellicle_bsdf_create(&desc, sizeof desc, &bsdf);
+        if (status == PELLICLE_OK) result = Bsdf(bsdf);
+        return status;
     }
+
+#if PELLICLE_HPP_THROWS
+    // Throws Error; the message says what was wrong and what would be right.
+    Bsdf create() const {
+        Bsdf result;
+        detail::pellicle_throw_on_failure(create(result));
+        return result;
+    }
+#endif
 
 private:
     struct Param {
@@ -471,13 +607,14 @@ private:
     };
     struct Range {
         std::string name;
-        float min, max;
+        float least, greatest;
     };
 
     std::string model_;
-    std::vector<Param> params_;
-    std::vector<Range> varying_;
-    Film film_;
+    std::vector<Param> params_{};
+    std::vector<Range> varying_{};
+    Film film_{};
+    std::optional<std::string> simd_level_{};
 };
 
 } // namespace pellicle

@@ -40,5 +40,5 @@ pub mod film;
 pub mod num;
 pub mod optics;
 
-pub use bsdf::{Bsdf, Description, Sample, Scalar};
+pub use bsdf::{Bsdf, Call, Description, Evaluation, Sample, Transport};
 pub use error::{Error, Status};

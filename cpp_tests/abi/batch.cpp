@@ -64,7 +64,7 @@ void check_eval(const support::Varying &subject, std::size_t count, const Layout
     const Strided wo = strided(in, inputs.wo), wi = strided(in, inputs.wi);
     const std::vector<Strided> varying = strided_varying(in, subject, inputs);
     const std::vector<PellicleConstView> varying_views = views(varying);
-    Strided value(out, count, 3), pdf(out, count, 1);
+    Strided value(out, count, 3), pdf(out, count, 1), pdf_reverse(out, count, 1);
 
     PellicleEvalBatchArgs args{};
     args.count = count;
@@ -74,18 +74,20 @@ void check_eval(const support::Varying &subject, std::size_t count, const Layout
     args.varying_count = varying_views.size();
     args.value = value.view();
     args.pdf = pdf.view();
+    args.pdf_reverse = pdf_reverse.view();
     subject.bsdf().eval_batch(args);
 
     bool equal = true;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto single = subject.bsdf().eval(inputs.wo[i], inputs.wi[i], inputs.varying[i].data());
-        const float batch[4] = {value.get(i, 0), value.get(i, 1), value.get(i, 2), pdf.get(i, 0)};
+        const auto single = subject.bsdf().eval_both_ways(inputs.wo[i], inputs.wi[i], inputs.varying[i].data());
+        const float batch[5] = {value.get(i, 0), value.get(i, 1), value.get(i, 2), pdf.get(i, 0), pdf_reverse.get(i, 0)};
         equal = equal && support::same_bits(batch, single.value.data(), 3) &&
-                support::same_bits(batch + 3, &single.pdf, 1);
+                support::same_bits(batch + 3, &single.pdf, 1) && support::same_bits(batch + 4, &single.pdf_reverse, 1);
     }
     CHECK(equal);
     CHECK(value.rest_untouched());
     CHECK(pdf.rest_untouched());
+    CHECK(pdf_reverse.rest_untouched());
 }
 
 void check_sample(const support::Varying &subject, std::size_t count, const Layout &in, const Layout &out) {
@@ -94,7 +96,7 @@ void check_sample(const support::Varying &subject, std::size_t count, const Layo
     const std::vector<Strided> varying = strided_varying(in, subject, inputs);
     const std::vector<PellicleConstView> varying_views = views(varying);
     Strided wi(out, count, 3), pdf(out, count, 1), weight(out, count, 3), eta(out, count, 1), flags(out, count, 1),
-        lobe(out, count, 1);
+        lobe(out, count, 1), lobe_probability(out, count, 1);
 
     PellicleSampleBatchArgs args{};
     args.count = count;
@@ -108,6 +110,7 @@ void check_sample(const support::Varying &subject, std::size_t count, const Layo
     args.eta = eta.view();
     args.flags = flags.uint_view();
     args.lobe = lobe.uint_view();
+    args.lobe_probability = lobe_probability.view();
     subject.bsdf().sample_batch(args);
 
     bool equal = true;
@@ -118,11 +121,12 @@ void check_sample(const support::Varying &subject, std::size_t count, const Layo
                                       {weight.get(i, 0), weight.get(i, 1), weight.get(i, 2)},
                                       eta.get(i, 0),
                                       as_uint(flags.get(i, 0)),
-                                      as_uint(lobe.get(i, 0))};
+                                      as_uint(lobe.get(i, 0)),
+                                      lobe_probability.get(i, 0)};
         equal = equal && support::same_bits(batch, single);
     }
     CHECK(equal);
-    for (const Strided *output : {&wi, &pdf, &weight, &eta, &flags, &lobe}) CHECK(output->rest_untouched());
+    for (const Strided *output : {&wi, &pdf, &weight, &eta, &flags, &lobe, &lobe_probability}) CHECK(output->rest_untouched());
 }
 
 template <class Check> void for_each_layout(Check check) {
@@ -240,7 +244,7 @@ TEST_CASE("batch: each output alone is the same as all of them together") {
         const Inputs inputs(subject, 65);
         const Strided wo = strided(layouts.front(), inputs.wo), wi = strided(layouts.front(), inputs.wi);
         std::vector<Vec3> value(65);
-        std::vector<float> pdf(65);
+        std::vector<float> pdf(65), pdf_reverse(65), lobe_probability(65);
         PellicleEvalBatchArgs args{};
         args.count = 65;
         args.wo = wo.const_view();
@@ -250,8 +254,20 @@ TEST_CASE("batch: each output alone is the same as all of them together") {
         args.value = {};
         args.pdf = {pdf.data(), 4, 4};
         subject.bsdf().eval_batch(args);
+        args.pdf = {};
+        args.pdf_reverse = {pdf_reverse.data(), 4, 4};
+        subject.bsdf().eval_batch(args);
+        PellicleSampleBatchArgs sample{};
+        sample.count = 65;
+        sample.wo = args.wo;
+        sample.u = {inputs.u[0].data(), 12, 4};
+        sample.lobe_probability = {lobe_probability.data(), 4, 4};
+        subject.bsdf().sample_batch(sample);
         for (std::size_t i = 0; i < 65; ++i) {
-            const auto single = subject.bsdf().eval(inputs.wo[i], inputs.wi[i]);
+            const auto single = subject.bsdf().eval_both_ways(inputs.wo[i], inputs.wi[i]);
+            const float probability = subject.bsdf().sample(inputs.wo[i], inputs.u[i]).lobe_probability;
+            CHECK(support::same_bits(&pdf_reverse[i], &single.pdf_reverse, 1));
+            CHECK(support::same_bits(&lobe_probability[i], &probability, 1));
             CHECK(support::same_bits(value[i].data(), single.value.data(), 3));
             CHECK(support::same_bits(&pdf[i], &single.pdf, 1));
         }

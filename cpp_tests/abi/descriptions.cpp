@@ -182,7 +182,7 @@ TEST_CASE("twice: the same parameter or the same varying given twice is refused"
         for (const PellicleModelParam &param : model.params) {
             CAPTURE(std::string(param.name));
             const std::vector<float> values(param.default_value, param.default_value + param.components);
-            const PellicleParam given = param.kind == PELLICLE_KIND_CHOICE ? choice(param.name, param.default_choice)
+            const PellicleParam given = param.kind == PELLICLE_KIND_CHOICE ? choice(param.name, param.choices[0])
                                                                            : numbers(param.name, values);
             CHECK_REFUSED(create(model.info.name, {given, given}), PELLICLE_INVALID_ARGUMENT, param.name);
             if (!param.can_vary) continue;

@@ -7,17 +7,8 @@ using support::infinity;
 using support::quiet_nan;
 
 // A valid film of two layers, for a test to spoil.
-struct Description {
-    std::vector<PellicleLayer> layers = {{support::medium(1.38f), 0.0f, 400.0f}, {support::medium(2.0f), 60.0f, 60.0f}};
-    PellicleFilmDesc desc{};
-
-    Description() { desc.base = support::medium(1.5f); }
-
-    PellicleStatus create() {
-        desc.layers = layers.data();
-        desc.layer_count = layers.size();
-        return support::create_film(desc);
-    }
+struct Description : support::FilmDescription {
+    Description() { layers = {{support::medium(1.38f), 0.0f, 400.0f}, {support::medium(2.0f), 60.0f, 60.0f}}; }
 };
 
 } // namespace
@@ -59,8 +50,9 @@ TEST_CASE("film create: 64 layers are accepted, 65 or a count that was never set
     film.layers.push_back(film.layers.front());
     CHECK_REFUSED(film.create(), PELLICLE_OUT_OF_RANGE, "layer_count = 65");
     for (const std::size_t count : {SIZE_MAX, SIZE_MAX / 2, std::size_t{1} << 40}) {
-        film.desc.layer_count = count;
-        CHECK_REFUSED(support::create_film(film.desc), PELLICLE_OUT_OF_RANGE, "layer_count");
+        PellicleFilmDesc desc = film.raw();
+        desc.layer_count = count;
+        CHECK_REFUSED(support::create_film(desc), PELLICLE_OUT_OF_RANGE, "layer_count");
     }
 }
 
@@ -74,12 +66,11 @@ TEST_CASE("film create: a tolerance that is negative, too small, above 1 or NaN 
 }
 
 TEST_CASE("film create: the limits of the tolerance are accepted, and 0 is the default") {
-    PellicleFilmDesc desc{};
-    desc.base = support::medium(1.5f);
+    support::FilmDescription bare;
     for (const float tolerance : {0.0f, -0.0f, 1e-5f, 1.0f}) {
         CAPTURE(tolerance);
-        desc.tolerance = tolerance;
-        CHECK_EQ(pellicle::Film(desc).plan().tolerance, tolerance == 0.0f ? 2e-3f : tolerance);
+        bare.desc.tolerance = tolerance;
+        CHECK_EQ(pellicle::Film(bare.raw()).plan().tolerance, tolerance == 0.0f ? 2e-3f : tolerance);
     }
 }
 
@@ -103,6 +94,22 @@ TEST_CASE("film create: an unknown white, colour space or method is refused with
     check(&PellicleFilmDesc::white, "white", {"E", "D65"});
     check(&PellicleFilmDesc::color_space, "color_space", {"rec709", "rec2020", "acescg", "xyz"});
     check(&PellicleFilmDesc::method, "method", {"reference"});
+}
+
+TEST_CASE("film create: sizes that no version has are refused by name") {
+    for (const std::size_t wrong : {std::size_t{0}, sizeof(PellicleMedium) - 1, SIZE_MAX, std::size_t{1} << 17}) {
+        CAPTURE(wrong);
+        Description film;
+        PellicleFilmDesc desc = film.raw();
+        desc.medium_size = wrong;
+        CHECK_REFUSED(support::create_film(desc), PELLICLE_INVALID_ARGUMENT, "medium_size");
+        desc = film.raw();
+        desc.layer_size = wrong;
+        CHECK_REFUSED(support::create_film(desc), PELLICLE_INVALID_ARGUMENT, "layer_size");
+        // Without layers there is nothing that it could be the size of.
+        desc.layer_count = 0;
+        CHECK_EQ(support::create_film(desc), PELLICLE_OK);
+    }
 }
 
 TEST_CASE("film create: a switch that is neither 0 nor 1 is refused") {
@@ -143,13 +150,25 @@ TEST_CASE("film spectrum: a wavelength that is not finite and above 0 is refused
     }
 }
 
+TEST_CASE("film spectrum: results that would overwrite wavelengths not read yet are refused") {
+    std::vector<float> numbers(8, 500.0f);
+    for (const int shift : {1, 3})
+        for (const bool is_before : {false, true}) {
+            const float *lambda_nm = numbers.data() + (is_before ? shift : 0);
+            float *reflectance = numbers.data() + (is_before ? 0 : shift);
+            CHECK_REFUSED(pellicle_film_spectrum(support::fixed_film().raw(), 1.0f, 0.0f, lambda_nm, 4, reflectance),
+                          PELLICLE_INVALID_ARGUMENT, "overlaps");
+            CHECK_EQ(numbers, std::vector<float>(8, 500.0f));
+        }
+    CHECK_EQ(pellicle_film_spectrum(support::fixed_film().raw(), 1.0f, 0.0f, numbers.data(), 4, numbers.data() + 4),
+             PELLICLE_OK);
+}
+
 TEST_CASE("film plan: it names a method, its reason and an error within the tolerance") {
     for (const float tolerance : {0.0f, 1e-2f}) {
         Description film;
         film.desc.tolerance = tolerance;
-        film.desc.layers = film.layers.data();
-        film.desc.layer_count = film.layers.size();
-        const pellicle::Film created(film.desc);
+        const pellicle::Film created(film.raw());
         const PellicleFilmPlan plan = created.plan();
         CHECK_FALSE(std::string(plan.method).empty());
         CHECK_FALSE(std::string(plan.reason).empty());

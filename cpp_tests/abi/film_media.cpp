@@ -36,14 +36,11 @@ const char *name_of(Place place) {
 
 // A film that is valid but for the medium at one place.
 PellicleStatus create(Place place, const PellicleMedium &medium) {
-    PellicleLayer layers[2] = {{support::medium(1.38f), 100.0f, 100.0f}, {support::medium(2.0f), 60.0f, 60.0f}};
-    PellicleFilmDesc desc{};
-    desc.base = support::medium(1.5f);
-    desc.layers = layers;
-    desc.layer_count = 2;
-    PellicleMedium *const targets[] = {&desc.ambient, &layers[0].medium, &layers[1].medium, &desc.base};
+    support::FilmDescription film;
+    film.layers = {{support::medium(1.38f), 100.0f, 100.0f}, {support::medium(2.0f), 60.0f, 60.0f}};
+    PellicleMedium *const targets[] = {&film.ambient, &film.layers[0].medium, &film.layers[1].medium, &film.base};
     *targets[static_cast<int>(place)] = medium;
-    return support::create_film(desc);
+    return film.create();
 }
 
 // Refused at every place, and the message says where, and what.
@@ -56,10 +53,10 @@ void check_refused(const PellicleMedium &medium, PellicleStatus status, const st
 }
 
 float reflectance_at(const PellicleMedium &base, float lambda_nm) {
-    PellicleFilmDesc desc{};
-    desc.base = base;
+    support::FilmDescription film;
+    film.base = base;
     float result = -1.0f;
-    pellicle::Film(desc).spectrum(1.0f, 0.0f, &lambda_nm, 1, &result);
+    pellicle::Film(film.raw()).spectrum(1.0f, 0.0f, &lambda_nm, 1, &result);
     return result;
 }
 

@@ -129,29 +129,32 @@ template <class Input, class Call> PellicleStatus call_truncated(const Input &in
 
 } // namespace
 
-TEST_CASE("growth: a model's description is written up to the size given") {
+TEST_CASE("growth: every struct that is written is written up to the size given") {
+    static const auto bsdf = pellicle::BsdfBuilder("phong").vary("exponent", 1.0f, 9.0f).create();
+    static const PellicleFilm *const film = support::fixed_film().raw();
     check_written_up_to_size<PellicleModelInfo>(
         [](PellicleModelInfo *info, std::size_t size) { return pellicle_model_info(0, info, size); },
         {{36, 40}, {60, 64}});
-}
-
-TEST_CASE("growth: a parameter's description is written up to the size given") {
     check_written_up_to_size<PellicleModelParam>(
         [](PellicleModelParam *info, std::size_t size) { return pellicle_model_param(0, 0, info, size); }, {{68, 72}});
-}
-
-TEST_CASE("growth: what a BSDF is, is written up to the size given") {
-    const auto bsdf = lambert();
+    check_written_up_to_size<PellicleMediumInfo>(
+        [](PellicleMediumInfo *info, std::size_t size) { return pellicle_medium_info(0, info, size); }, {{36, 40}});
     check_written_up_to_size<PellicleBsdfInfo>(
-        [&](PellicleBsdfInfo *info, std::size_t size) { return pellicle_bsdf_info(bsdf.raw(), info, size); });
-}
-
-TEST_CASE("growth: a sample is written up to the size given") {
-    const auto bsdf = lambert();
-    const float u[3] = {0.3f, 0.6f, 0.9f};
-    check_written_up_to_size<PellicleSample>([&](PellicleSample *sample, std::size_t size) {
-        return pellicle_bsdf_sample(bsdf.raw(), up, u, nullptr, sample, size);
+        [](PellicleBsdfInfo *info, std::size_t size) { return pellicle_bsdf_info(bsdf.raw(), info, size); });
+    check_written_up_to_size<PellicleVaryingInfo>([](PellicleVaryingInfo *info, std::size_t size) {
+        return pellicle_bsdf_varying(bsdf.raw(), 0, info, size);
     });
+    check_written_up_to_size<PellicleLobeInfo>(
+        [](PellicleLobeInfo *info, std::size_t size) { return pellicle_bsdf_lobe(bsdf.raw(), 0, info, size); },
+        {{12, 16}});
+    check_written_up_to_size<PellicleSample>([](PellicleSample *sample, std::size_t size) {
+        const float u[3] = {0.3f, 0.6f, 0.9f};
+        return pellicle_bsdf_sample(bsdf.raw(), up, u, nullptr, nullptr, sample, size);
+    });
+    check_written_up_to_size<PellicleFilmInfo>(
+        [](PellicleFilmInfo *info, std::size_t size) { return pellicle_film_info(film, info, size); });
+    check_written_up_to_size<PellicleFilmPlan>(
+        [](PellicleFilmPlan *plan, std::size_t size) { return pellicle_film_plan(film, plan, size); }, {{20, 24}});
 }
 
 TEST_CASE("growth: an older, shorter BSDF description means default for what it lacks") {
@@ -205,16 +208,15 @@ TEST_CASE("growth: older, shorter sample batch arguments leave out the outputs t
 TEST_CASE("growth: a description that ends within a pointer is refused") {
     PellicleBsdfDesc desc{};
     desc.model = "lambert";
-    PellicleFilmDesc film{};
-    film.base = support::medium(1.5f);
-    for (std::size_t size = 1; size < sizeof film; ++size) {
+    support::FilmDescription film;
+    for (std::size_t size = 1; size < sizeof film.desc; ++size) {
         if (size % alignof(PellicleFilmDesc) == 0) continue;
         CAPTURE(size);
         support::Untouched<PellicleBsdf *> bsdf;
         if (size < sizeof desc)
             CHECK_REFUSED(pellicle_bsdf_create(&desc, size, &bsdf.output), PELLICLE_INVALID_ARGUMENT, "size");
         support::Untouched<PellicleFilm *> handle;
-        CHECK_REFUSED(pellicle_film_create(&film, size, &handle.output), PELLICLE_INVALID_ARGUMENT, "size");
+        CHECK_REFUSED(pellicle_film_create(&film.raw(), size, &handle.output), PELLICLE_INVALID_ARGUMENT, "size");
     }
 }
 
@@ -232,11 +234,11 @@ TEST_CASE("growth: an older BSDF description ends before its film") {
 }
 
 TEST_CASE("growth: an older, shorter film description means default for what it lacks") {
-    PellicleFilmDesc desc{};
-    desc.base = support::medium(1.5f);
+    support::FilmDescription film;
+    PellicleFilmDesc desc = film.raw();
     desc.tolerance = -1.0f;
-    desc.white = desc.color_space = desc.method = "no such name";
     desc.unclipped = desc.transmittance = 2;
+    desc.white = desc.color_space = desc.method = desc.simd_level = "no such name";
     const auto create = [](const PellicleFilmDesc *truncated, std::size_t size) {
         PellicleFilm *raw = nullptr;
         const PellicleStatus status = pellicle_film_create(truncated, size, &raw);
@@ -244,21 +246,85 @@ TEST_CASE("growth: an older, shorter film description means default for what it 
         if (status == PELLICLE_OK) CHECK_EQ(film.plan().tolerance, 2e-3f);
         return status;
     };
-    CHECK_EQ(call_truncated(desc, offsetof(PellicleFilmDesc, tolerance), create), PELLICLE_OK);
-    CHECK_EQ(call_truncated(desc, offsetof(PellicleFilmDesc, white), create), PELLICLE_OUT_OF_RANGE);
+    const auto up_to = [&](std::size_t size) { return call_truncated(desc, size, create); };
+    CHECK_EQ(up_to(offsetof(PellicleFilmDesc, tolerance)), PELLICLE_OK);
+    CHECK_EQ(up_to(offsetof(PellicleFilmDesc, white)), PELLICLE_OUT_OF_RANGE);
     desc.tolerance = 0.0f;
-    CHECK_EQ(call_truncated(desc, offsetof(PellicleFilmDesc, white), create), PELLICLE_OK);
-    CHECK_EQ(call_truncated(desc, offsetof(PellicleFilmDesc, color_space), create), PELLICLE_UNKNOWN_NAME);
-    CHECK_REFUSED(call_truncated(desc, offsetof(PellicleFilmDesc, base), create), PELLICLE_INVALID_ARGUMENT, "base");
-    CHECK_EQ(call_truncated(desc, 0, create), PELLICLE_INVALID_ARGUMENT);
+    desc.unclipped = desc.transmittance = 0;
+    CHECK_EQ(up_to(offsetof(PellicleFilmDesc, white)), PELLICLE_OK);
+    CHECK_EQ(up_to(offsetof(PellicleFilmDesc, color_space)), PELLICLE_UNKNOWN_NAME);
+    desc.white = desc.color_space = desc.method = nullptr;
+    CHECK_EQ(up_to(offsetof(PellicleFilmDesc, simd_level)), PELLICLE_OK);
+    CHECK_EQ(up_to(sizeof desc), PELLICLE_UNKNOWN_NAME);
+    CHECK_REFUSED(up_to(offsetof(PellicleFilmDesc, base)), PELLICLE_INVALID_ARGUMENT, "base");
+    CHECK_EQ(up_to(0), PELLICLE_INVALID_ARGUMENT);
 }
 
-TEST_CASE("growth: a film's plan is written up to the size given") {
-    check_written_up_to_size<PellicleFilmPlan>(
-        [](PellicleFilmPlan *plan, std::size_t size) {
-            return pellicle_film_plan(support::fixed_film().raw(), plan, size);
-        },
-        {{20, 24}});
+// A caller's elements may be shorter or longer than this build's: the description states their size.
+TEST_CASE("growth: shorter media and layers mean default for what they lack") {
+    support::FilmDescription film;
+    film.layers = {{support::medium("water"), 10.0f, 20.0f}, {support::medium("SiO2"), 30.0f, 30.0f}};
+    PellicleFilmDesc desc = film.raw();
+
+    // Media that end before the table: what follows in memory is not looked at.
+    constexpr std::size_t short_medium = offsetof(PellicleMedium, table_nm);
+    PellicleMedium base = support::medium(1.5f);
+    base.table_count = 99;
+    PellicleMedium of_layer = support::medium("water");
+    of_layer.table_eta = base.eta;
+    const PellicleLayer layer = {&of_layer, 10.0f, 20.0f};
+    desc.layers = &layer;
+    desc.layer_count = 1;
+    desc.base = desc.ambient = &base;
+    CHECK_EQ(support::create_film(desc), PELLICLE_INVALID_ARGUMENT);
+    desc.medium_size = short_medium;
+    CHECK_EQ(support::create_film(desc), PELLICLE_OK);
+
+    // Layers that end before their thicknesses, side by side: pointers alone, of thickness 0.
+    const PellicleMedium *const pointers[2] = {&of_layer, &of_layer};
+    desc.layers = reinterpret_cast<const PellicleLayer *>(pointers);
+    desc.layer_size = sizeof pointers[0];
+    desc.layer_count = 2;
+    PellicleFilm *raw = nullptr;
+    REQUIRE_EQ(pellicle_film_create(&desc, sizeof desc, &raw), PELLICLE_OK);
+    CHECK_EQ(pellicle::Film(raw).info().varies, 0);
+}
+
+TEST_CASE("growth: longer media and layers are taken if what this build does not know is zero") {
+    struct LongerMedium {
+        PellicleMedium medium;
+        std::uint64_t tail[2];
+    };
+    struct LongerLayer {
+        PellicleLayer layer;
+        std::uint64_t tail;
+    };
+    LongerMedium base = {support::medium(1.5f), {}}, ambient = {{}, {}}, water = {support::medium("water"), {}};
+    LongerLayer layers[2] = {{{&water.medium, 0.0f, 200.0f}, 0}, {{&water.medium, 50.0f, 50.0f}, 0}};
+    PellicleFilmDesc desc{};
+    desc.medium_size = sizeof(LongerMedium);
+    desc.layer_size = sizeof(LongerLayer);
+    desc.ambient = &ambient.medium;
+    desc.layers = &layers[0].layer;
+    desc.layer_count = 2;
+    desc.base = &base.medium;
+    REQUIRE_EQ(support::create_film(desc), PELLICLE_OK);
+    const pellicle::Film longer(desc);
+
+    support::FilmDescription same;
+    same.layers = {{support::medium("water"), 0.0f, 200.0f}, {support::medium("water"), 50.0f, 50.0f}};
+    const pellicle::Film plain(same.raw());
+    CHECK(support::same_bits(longer.reflectance(0.7f, 120.0f).data(), plain.reflectance(0.7f, 120.0f).data(), 3));
+
+    const std::pair<std::uint64_t *, const char *> tails[] = {{&base.tail[1], "base"},
+                                                              {&ambient.tail[0], "ambient"},
+                                                              {&water.tail[1], "layers[0].medium"},
+                                                              {&layers[1].tail, "layers[1]"}};
+    for (const auto &[tail, words] : tails) {
+        *tail = 1;
+        CHECK_REFUSED(support::create_film(desc), PELLICLE_UNSUPPORTED, words);
+        *tail = 0;
+    }
 }
 
 TEST_CASE("growth: film batch arguments too short for their output are refused") {
@@ -281,9 +347,8 @@ TEST_CASE("growth: a newer description is refused if it uses what this build doe
         pellicle_bsdf_release(raw);
         return status;
     });
-    PellicleFilmDesc film{};
-    film.base = support::medium(1.5f);
-    check_tails(film, [](const PellicleFilmDesc *longer, std::size_t size) {
+    support::FilmDescription film;
+    check_tails(film.raw(), [](const PellicleFilmDesc *longer, std::size_t size) {
         PellicleFilm *raw = nullptr;
         const PellicleStatus status = pellicle_film_create(longer, size, &raw);
         CHECK_EQ(raw != nullptr, status == PELLICLE_OK);

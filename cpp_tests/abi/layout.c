@@ -1,4 +1,4 @@
-/* The header alone compiles as pedantic C99, twice, and has the layout of its ABI version. */
+/* The header alone compiles as pedantic C99, twice, and has the layout that is kept. */
 #include <pellicle.h>
 #include <pellicle.h>
 

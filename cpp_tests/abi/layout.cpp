@@ -1,4 +1,4 @@
-// The headers alone compile as pedantic C++17, twice, and have the layout of their ABI version.
+// The headers alone compile as pedantic C++17, twice, and have the layout that is kept.
 #include <pellicle.hpp>
 #include <pellicle.hpp>
 

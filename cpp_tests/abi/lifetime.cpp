@@ -22,10 +22,9 @@ PellicleBsdf *raw_bsdf(const char *model, const PellicleFilm *film = nullptr) {
 }
 
 PellicleFilm *raw_film() {
-    PellicleFilmDesc desc{};
-    desc.base = support::medium(1.5f);
+    support::FilmDescription description;
     PellicleFilm *film = nullptr;
-    REQUIRE_EQ(pellicle_film_create(&desc, sizeof desc, &film), PELLICLE_OK);
+    REQUIRE_EQ(pellicle_film_create(&description.raw(), sizeof description.desc, &film), PELLICLE_OK);
     return film;
 }
 
@@ -63,14 +62,14 @@ bool make_and_release(const char *model, const PellicleFilm *film = nullptr) {
 TEST_CASE("threads: a BSDF lives until its last owner is done, whoever made it") {
     Vec3 expected;
     PellicleBsdf *first = raw_bsdf("layered");
-    REQUIRE_EQ(pellicle_bsdf_eval(first, up, slanted, nullptr, expected.data(), nullptr), PELLICLE_OK);
+    REQUIRE_EQ(pellicle_bsdf_eval(first, up, slanted, nullptr, nullptr, expected.data(), nullptr, nullptr), PELLICLE_OK);
     pellicle_bsdf_release(first);
     std::atomic<int> wrong{0};
     for (int round = 0; round < 100; ++round) {
         PellicleBsdf *bsdf = raw_bsdf("layered");
         std::vector<std::thread> owners;
         for (int i = 0; i < 4; ++i) {
-            REQUIRE_EQ(pellicle_bsdf_retain(bsdf), PELLICLE_OK);
+            pellicle_bsdf_retain(bsdf);
             owners.emplace_back([&, bsdf] { evaluate_and_release(bsdf, expected, wrong); });
         }
         // The maker is the first to go.
@@ -93,7 +92,7 @@ TEST_CASE("threads: a film lives until the last BSDF that shares it is done") {
                 const float u[3] = {0.0f, 0.5f, 0.5f};
                 for (int call = 0; call < 50; ++call) {
                     PellicleSample sample;
-                    wrong += pellicle_bsdf_sample(bsdf, up, u, nullptr, &sample, sizeof sample) != PELLICLE_OK;
+                    wrong += pellicle_bsdf_sample(bsdf, up, u, nullptr, nullptr, &sample, sizeof sample) != PELLICLE_OK;
                     wrong += !support::same_bits(sample.weight, expected.data(), 3);
                 }
                 pellicle_bsdf_release(bsdf);

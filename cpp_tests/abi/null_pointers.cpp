@@ -1,6 +1,10 @@
 // Every pointer of every function, NULL one at a time: refused by name, with the outputs untouched.
 #include "support.hpp"
 
+#include <functional>
+#include <set>
+#include <tuple>
+
 namespace {
 
 using support::Untouched;
@@ -12,6 +16,91 @@ pellicle::Bsdf lambert() {
     return pellicle::BsdfBuilder("lambert").create();
 }
 
+template <std::size_t place, class Call, class Arguments>
+void check_null(Call call, Arguments arguments, const char *name) {
+    if constexpr (std::is_pointer_v<std::tuple_element_t<place, Arguments>>) {
+        if (*name == 0) return;
+        std::get<place>(arguments) = nullptr;
+        CHECK_REFUSED(std::apply(call, arguments), PELLICLE_INVALID_ARGUMENT, name);
+    } else {
+        CHECK_EQ(std::string(name), "");
+    }
+}
+
+template <class Call, class Arguments, std::size_t... place>
+void check_each(Call call, const Arguments &valid, const std::vector<const char *> &names, std::index_sequence<place...>) {
+    (check_null<place>(call, valid, names[place]), ...);
+}
+
+// Calls a function with one pointer after another NULL. `names` has a name for every argument, which the message
+// must contain; "" stands for what is no pointer, or may be NULL.
+template <class... Parameters>
+void check_nulls(PellicleStatus (*call)(Parameters...), const std::vector<const char *> &names,
+                 const std::tuple<Parameters...> &valid) {
+    REQUIRE_EQ(names.size(), sizeof...(Parameters));
+    check_each(call, valid, names, std::index_sequence_for<Parameters...>());
+}
+
+// The functions below, which the last test compares with those of the header.
+std::vector<std::pair<std::string, std::function<void()>>> all_calls() {
+    static Untouched<PellicleModelInfo> model;
+    static Untouched<PellicleModelParam> param;
+    static Untouched<PellicleMediumInfo> medium;
+    static Untouched<PellicleFilmInfo> film_info;
+    static Untouched<PellicleFilmPlan> plan;
+    static Untouched<PellicleBsdfInfo> bsdf_info;
+    static Untouched<PellicleVaryingInfo> varying;
+    static Untouched<PellicleLobeInfo> lobe;
+    static Untouched<PellicleSample> sample;
+    static Untouched<PellicleFilm *> film_handle;
+    static Untouched<PellicleBsdf *> bsdf_handle;
+    static Untouched<float[3]> rgb, other;
+    static Untouched<float> pdf, pdf_reverse;
+    static const pellicle::Bsdf bsdf = lambert();
+    static const PellicleFilm *const film = support::fixed_film().raw();
+    static support::FilmDescription film_description;
+    static const PellicleBsdfDesc bsdf_desc = [] {
+        PellicleBsdfDesc desc{};
+        desc.model = "lambert";
+        return desc;
+    }();
+    static const float lambda_nm[3] = {450.0f, 550.0f, 650.0f};
+    static const PellicleEvalBatchArgs eval_args{};
+    static const PellicleSampleBatchArgs sample_args{};
+    static const PellicleFilmBatchArgs film_args{};
+#define NULLS(function, names, ...) {#function, [] { check_nulls(pellicle_##function, names, {__VA_ARGS__}); }}
+#define NAMES(...) {__VA_ARGS__}
+    return {
+        NULLS(model_info, NAMES("", "info", ""), 0, &model.output, sizeof model.output),
+        NULLS(model_param, NAMES("", "", "info", ""), 0, 0, &param.output, sizeof param.output),
+        NULLS(medium_info, NAMES("", "info", ""), 0, &medium.output, sizeof medium.output),
+        NULLS(film_create, NAMES("desc", "", "film"), &film_description.raw(), sizeof film_description.desc,
+              &film_handle.output),
+        NULLS(film_info, NAMES("film", "info", ""), film, &film_info.output, sizeof film_info.output),
+        NULLS(film_plan, NAMES("film", "plan", ""), film, &plan.output, sizeof plan.output),
+        NULLS(film_reflectance, NAMES("film", "", "", "rgb"), film, 1.0f, 0.0f, rgb.output),
+        NULLS(film_eval, NAMES("film", "", "", "", "", ""), film, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, rgb.output,
+              other.output),
+        NULLS(film_reference, NAMES("film", "", "", "rgb"), film, 1.0f, 0.0f, rgb.output),
+        NULLS(film_spectrum, NAMES("film", "", "", "lambda_nm", "", "reflectance"), film, 1.0f, 0.0f, lambda_nm, 3,
+              rgb.output),
+        NULLS(film_reflectance_batch, NAMES("film", "args", ""), film, &film_args, sizeof film_args),
+        NULLS(bsdf_create, NAMES("desc", "", "bsdf"), &bsdf_desc, sizeof bsdf_desc, &bsdf_handle.output),
+        NULLS(bsdf_info, NAMES("bsdf", "info", ""), bsdf.raw(), &bsdf_info.output, sizeof bsdf_info.output),
+        NULLS(bsdf_varying, NAMES("bsdf", "", "info", ""), bsdf.raw(), 0, &varying.output, sizeof varying.output),
+        NULLS(bsdf_lobe, NAMES("bsdf", "", "info", ""), bsdf.raw(), 0, &lobe.output, sizeof lobe.output),
+        NULLS(bsdf_eval, NAMES("bsdf", "wo", "wi", "", "", "", "", ""), bsdf.raw(), up, up, nullptr, nullptr,
+              rgb.output, &pdf.output, &pdf_reverse.output),
+        NULLS(bsdf_sample, NAMES("bsdf", "wo", "u", "", "", "sample", ""), bsdf.raw(), up, u, nullptr, nullptr,
+              &sample.output, sizeof sample.output),
+        NULLS(bsdf_albedo, NAMES("bsdf", "wo", "", "", "albedo"), bsdf.raw(), up, nullptr, nullptr, rgb.output),
+        NULLS(bsdf_eval_batch, NAMES("bsdf", "args", ""), bsdf.raw(), &eval_args, sizeof eval_args),
+        NULLS(bsdf_sample_batch, NAMES("bsdf", "args", ""), bsdf.raw(), &sample_args, sizeof sample_args),
+    };
+#undef NULLS
+#undef NAMES
+}
+
 PellicleStatus create(const PellicleBsdfDesc &desc) {
     Untouched<PellicleBsdf *> bsdf;
     return pellicle_bsdf_create(&desc, sizeof desc, &bsdf.output);
@@ -19,225 +108,51 @@ PellicleStatus create(const PellicleBsdfDesc &desc) {
 
 } // namespace
 
-TEST_CASE("null: introspection refuses a missing output and an index that does not exist") {
-    CHECK_REFUSED(pellicle_model_info(0, nullptr, sizeof(PellicleModelInfo)), PELLICLE_INVALID_ARGUMENT, "info");
-    CHECK_REFUSED(pellicle_model_param(0, 0, nullptr, sizeof(PellicleModelParam)), PELLICLE_INVALID_ARGUMENT, "info");
-
-    const std::size_t model_count = pellicle_model_count();
-    const std::size_t param_count = support::models().front().params.size();
-    Untouched<PellicleModelInfo> model;
-    Untouched<PellicleModelParam> param;
-    for (const std::size_t beyond : {std::size_t{0}, SIZE_MAX - model_count - param_count}) {
-        CHECK_REFUSED(pellicle_model_info(model_count + beyond, &model.output, sizeof model.output),
-                      PELLICLE_OUT_OF_RANGE, "model");
-        CHECK_REFUSED(pellicle_model_param(model_count + beyond, 0, &param.output, sizeof param.output),
-                      PELLICLE_OUT_OF_RANGE, "model");
-        CHECK_REFUSED(pellicle_model_param(0, param_count + beyond, &param.output, sizeof param.output),
-                      PELLICLE_OUT_OF_RANGE, "param");
+TEST_CASE("null: every function refuses every missing pointer by name") {
+    for (const auto &[name, check] : all_calls()) {
+        CAPTURE(name);
+        check();
     }
 }
 
-TEST_CASE("null: create refuses every missing pointer of its description") {
-    Untouched<PellicleBsdf *> bsdf;
-    PellicleBsdfDesc lambert{};
-    lambert.model = "lambert";
-    CHECK_REFUSED(pellicle_bsdf_create(nullptr, sizeof lambert, &bsdf.output), PELLICLE_INVALID_ARGUMENT, "desc");
-    CHECK_REFUSED(pellicle_bsdf_create(&lambert, sizeof lambert, nullptr), PELLICLE_INVALID_ARGUMENT, "bsdf");
-    CHECK_REFUSED(create(PellicleBsdfDesc{}), PELLICLE_INVALID_ARGUMENT, "model");
-
-    PellicleBsdfDesc desc = lambert;
-    desc.param_count = 1;
-    CHECK_REFUSED(create(desc), PELLICLE_INVALID_ARGUMENT, "params");
-
-    const float half = 0.5f;
-    const PellicleParam nameless = {nullptr, &half, 1, nullptr};
-    desc.params = &nameless;
-    CHECK_REFUSED(create(desc), PELLICLE_INVALID_ARGUMENT, "name");
-
-    const PellicleParam valueless = {"reflectance", nullptr, 1, nullptr};
-    desc.params = &valueless;
-    CHECK_REFUSED(create(desc), PELLICLE_INVALID_ARGUMENT, "values");
-
-    PellicleBsdfDesc varying = lambert;
-    varying.varying_count = 1;
-    CHECK_REFUSED(create(varying), PELLICLE_INVALID_ARGUMENT, "varying");
-
-    const PellicleRange nameless_range = {nullptr, 0.0f, 1.0f};
-    varying.varying = &nameless_range;
-    CHECK_REFUSED(create(varying), PELLICLE_INVALID_ARGUMENT, "name");
-
-    PellicleBsdfDesc layered{};
-    layered.model = "layered";
-    const PellicleParam choiceless = {"variant", nullptr, 0, nullptr};
-    layered.params = &choiceless;
-    layered.param_count = 1;
-    CHECK_REFUSED(create(layered), PELLICLE_INVALID_ARGUMENT, "variant");
+TEST_CASE("null: every function of the header that returns a status is in the list above") {
+    std::set<std::string> tried, declared;
+    for (const auto &[name, check] : all_calls()) tried.insert(name);
+#define FUNCTION(name)                                                                                       \
+    if (std::is_same_v<decltype(support::result_of(&pellicle_##name)), PellicleStatus>) declared.insert(#name);
+#include "functions.inc"
+#undef FUNCTION
+    CHECK_EQ(tried, declared);
 }
 
-TEST_CASE("null: retain refuses it, release takes it as nothing to do") {
-    CHECK_REFUSED(pellicle_bsdf_retain(nullptr), PELLICLE_INVALID_ARGUMENT, "bsdf");
+TEST_CASE("null: retain and release take it as nothing to do") {
+    pellicle_bsdf_retain(nullptr);
     pellicle_bsdf_release(nullptr);
-}
-
-TEST_CASE("null: info refuses every missing pointer") {
-    const auto bsdf = lambert();
-    Untouched<PellicleBsdfInfo> info;
-    CHECK_REFUSED(pellicle_bsdf_info(nullptr, &info.output, sizeof info.output), PELLICLE_INVALID_ARGUMENT, "bsdf");
-    CHECK_REFUSED(pellicle_bsdf_info(bsdf.raw(), nullptr, sizeof info.output), PELLICLE_INVALID_ARGUMENT, "info");
-}
-
-TEST_CASE("null: eval refuses every missing pointer but one output and the varying values") {
-    const auto bsdf = lambert();
-    Untouched<float[3]> value;
-    Untouched<float> pdf;
-    CHECK_REFUSED(pellicle_bsdf_eval(nullptr, up, up, nullptr, value.output, &pdf.output), PELLICLE_INVALID_ARGUMENT,
-                  "bsdf");
-    CHECK_REFUSED(pellicle_bsdf_eval(bsdf.raw(), nullptr, up, nullptr, value.output, &pdf.output),
-                  PELLICLE_INVALID_ARGUMENT, "wo");
-    CHECK_REFUSED(pellicle_bsdf_eval(bsdf.raw(), up, nullptr, nullptr, value.output, &pdf.output),
-                  PELLICLE_INVALID_ARGUMENT, "wi");
-    CHECK_REFUSED(pellicle_bsdf_eval(bsdf.raw(), up, up, nullptr, nullptr, nullptr), PELLICLE_INVALID_ARGUMENT,
-                  "value");
-}
-
-TEST_CASE("null: either output of eval may be missing, and the other does not change for it") {
-    const auto bsdf = lambert();
-    const auto both = bsdf.eval(up, up);
-    CHECK(support::same_bits(bsdf.value(up, up).data(), both.value.data(), 3));
-    CHECK_EQ(bsdf.pdf(up, up), both.pdf);
-}
-
-TEST_CASE("null: sample refuses every missing pointer") {
-    const auto bsdf = lambert();
-    Untouched<PellicleSample> sample;
-    const std::size_t size = sizeof sample.output;
-    CHECK_REFUSED(pellicle_bsdf_sample(nullptr, up, u, nullptr, &sample.output, size), PELLICLE_INVALID_ARGUMENT,
-                  "bsdf");
-    CHECK_REFUSED(pellicle_bsdf_sample(bsdf.raw(), nullptr, u, nullptr, &sample.output, size),
-                  PELLICLE_INVALID_ARGUMENT, "wo");
-    CHECK_REFUSED(pellicle_bsdf_sample(bsdf.raw(), up, nullptr, nullptr, &sample.output, size),
-                  PELLICLE_INVALID_ARGUMENT, "u");
-    CHECK_REFUSED(pellicle_bsdf_sample(bsdf.raw(), up, u, nullptr, nullptr, size), PELLICLE_INVALID_ARGUMENT,
-                  "sample");
-}
-
-TEST_CASE("null: albedo refuses every missing pointer") {
-    const auto bsdf = lambert();
-    Untouched<float[3]> albedo;
-    CHECK_REFUSED(pellicle_bsdf_albedo(nullptr, up, nullptr, albedo.output), PELLICLE_INVALID_ARGUMENT, "bsdf");
-    CHECK_REFUSED(pellicle_bsdf_albedo(bsdf.raw(), nullptr, nullptr, albedo.output), PELLICLE_INVALID_ARGUMENT, "wo");
-    CHECK_REFUSED(pellicle_bsdf_albedo(bsdf.raw(), up, nullptr, nullptr), PELLICLE_INVALID_ARGUMENT, "albedo");
-}
-
-TEST_CASE("null: eval_batch refuses every missing pointer but the outputs not wanted") {
-    const auto bsdf = lambert();
-    Untouched<float[3]> value;
-    Untouched<float> pdf;
-    PellicleEvalBatchArgs args{};
-    args.count = 1;
-    args.wo = args.wi = {up, 12, 4};
-    args.value = {value.output, 12, 4};
-    args.pdf = {&pdf.output, 4, 4};
-    const auto call = [&](const PellicleEvalBatchArgs &changed) {
-        return pellicle_bsdf_eval_batch(bsdf.raw(), &changed, sizeof changed);
-    };
-    CHECK_REFUSED(pellicle_bsdf_eval_batch(nullptr, &args, sizeof args), PELLICLE_INVALID_ARGUMENT, "bsdf");
-    CHECK_REFUSED(pellicle_bsdf_eval_batch(bsdf.raw(), nullptr, sizeof args), PELLICLE_INVALID_ARGUMENT, "args");
-
-    PellicleEvalBatchArgs changed = args;
-    changed.wo.data = nullptr;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "wo");
-    changed = args;
-    changed.wi.data = nullptr;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "wi");
-    changed = args;
-    changed.value.data = changed.pdf.data = nullptr;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "value");
-    changed = args;
-    changed.varying_count = 1;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "varying");
-}
-
-TEST_CASE("null: sample_batch refuses every missing pointer but the outputs not wanted") {
-    const auto bsdf = lambert();
-    Untouched<float[3]> wi;
-    PellicleSampleBatchArgs args{};
-    args.count = 1;
-    args.wo = {up, 12, 4};
-    args.u = {u, 12, 4};
-    args.wi = {wi.output, 12, 4};
-    const auto call = [&](const PellicleSampleBatchArgs &changed) {
-        return pellicle_bsdf_sample_batch(bsdf.raw(), &changed, sizeof changed);
-    };
-    CHECK_REFUSED(pellicle_bsdf_sample_batch(nullptr, &args, sizeof args), PELLICLE_INVALID_ARGUMENT, "bsdf");
-    CHECK_REFUSED(pellicle_bsdf_sample_batch(bsdf.raw(), nullptr, sizeof args), PELLICLE_INVALID_ARGUMENT, "args");
-
-    PellicleSampleBatchArgs changed = args;
-    changed.wo.data = nullptr;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "wo");
-    changed = args;
-    changed.u.data = nullptr;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "u");
-    changed = args;
-    changed.varying_count = 1;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "varying");
-}
-
-TEST_CASE("null: film create refuses every missing pointer of its description") {
-    Untouched<PellicleFilm *> film;
-    PellicleFilmDesc glass{};
-    glass.base = support::medium(1.5f);
-    CHECK_REFUSED(pellicle_film_create(nullptr, sizeof glass, &film.output), PELLICLE_INVALID_ARGUMENT, "desc");
-    CHECK_REFUSED(pellicle_film_create(&glass, sizeof glass, nullptr), PELLICLE_INVALID_ARGUMENT, "film");
-
-    PellicleFilmDesc desc = glass;
-    desc.layer_count = 1;
-    CHECK_REFUSED(pellicle_film_create(&desc, sizeof desc, &film.output), PELLICLE_INVALID_ARGUMENT, "layers");
-
-    const float numbers[2] = {500.0f, 600.0f};
-    for (const float *PellicleMedium::*part :
-         {&PellicleMedium::table_nm, &PellicleMedium::table_eta, &PellicleMedium::table_k}) {
-        desc = PellicleFilmDesc{};
-        desc.base.table_nm = desc.base.table_eta = desc.base.table_k = numbers;
-        desc.base.table_count = 2;
-        desc.base.*part = nullptr;
-        CHECK_REFUSED(pellicle_film_create(&desc, sizeof desc, &film.output), PELLICLE_INVALID_ARGUMENT,
-                      "base: table_");
-    }
-}
-
-TEST_CASE("null: film retain refuses it, release takes it as nothing to do") {
-    CHECK_REFUSED(pellicle_film_retain(nullptr), PELLICLE_INVALID_ARGUMENT, "film");
+    pellicle_film_retain(nullptr);
     pellicle_film_release(nullptr);
 }
 
-TEST_CASE("null: the calls of a film refuse a missing film and missing outputs") {
-    const PellicleFilm *film = support::fixed_film().raw();
-    Untouched<PellicleFilmPlan> plan;
-    Untouched<float[3]> rgb, other;
-    CHECK_REFUSED(pellicle_film_plan(nullptr, &plan.output, sizeof plan.output), PELLICLE_INVALID_ARGUMENT, "film");
-    CHECK_REFUSED(pellicle_film_plan(film, nullptr, sizeof plan.output), PELLICLE_INVALID_ARGUMENT, "plan");
-    CHECK_REFUSED(pellicle_film_reflectance(nullptr, 1.0f, 0.0f, rgb.output), PELLICLE_INVALID_ARGUMENT, "film");
-    CHECK_REFUSED(pellicle_film_reflectance(film, 1.0f, 0.0f, nullptr), PELLICLE_INVALID_ARGUMENT, "rgb");
-    CHECK_REFUSED(pellicle_film_reference(nullptr, 1.0f, 0.0f, rgb.output), PELLICLE_INVALID_ARGUMENT, "film");
-    CHECK_REFUSED(pellicle_film_reference(film, 1.0f, 0.0f, nullptr), PELLICLE_INVALID_ARGUMENT, "rgb");
-    CHECK_REFUSED(pellicle_film_eval(nullptr, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, rgb.output, other.output),
-                  PELLICLE_INVALID_ARGUMENT, "film");
-    CHECK_REFUSED(pellicle_film_eval(film, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, nullptr, nullptr),
-                  PELLICLE_INVALID_ARGUMENT, "reflectance");
+TEST_CASE("null: all outputs missing are refused, any of them alone does not change the others") {
+    const auto bsdf = lambert();
+    const float slanted[3] = {0.0f, 0.6f, 0.8f};
+    CHECK_REFUSED(pellicle_bsdf_eval(bsdf.raw(), up, up, nullptr, nullptr, nullptr, nullptr, nullptr),
+                  PELLICLE_INVALID_ARGUMENT, "value");
+    float value[3], pdf, reverse;
+    REQUIRE_EQ(pellicle_bsdf_eval(bsdf.raw(), up, slanted, nullptr, nullptr, value, &pdf, &reverse), PELLICLE_OK);
+    for (int wanted = 1; wanted < 8; ++wanted) {
+        CAPTURE(wanted);
+        float some_value[3], some_pdf, some_reverse;
+        REQUIRE_EQ(pellicle_bsdf_eval(bsdf.raw(), up, slanted, nullptr, nullptr, wanted & 1 ? some_value : nullptr,
+                                      wanted & 2 ? &some_pdf : nullptr, wanted & 4 ? &some_reverse : nullptr),
+                   PELLICLE_OK);
+        if (wanted & 1) CHECK(support::same_bits(some_value, value, 3));
+        if (wanted & 2) CHECK_EQ(some_pdf, pdf);
+        if (wanted & 4) CHECK_EQ(some_reverse, reverse);
+    }
 
-    const float lambda_nm = 550.0f;
-    CHECK_REFUSED(pellicle_film_spectrum(nullptr, 1.0f, 0.0f, &lambda_nm, 1, rgb.output), PELLICLE_INVALID_ARGUMENT,
-                  "film");
-    CHECK_REFUSED(pellicle_film_spectrum(film, 1.0f, 0.0f, nullptr, 1, rgb.output), PELLICLE_INVALID_ARGUMENT,
-                  "lambda_nm");
-    CHECK_REFUSED(pellicle_film_spectrum(film, 1.0f, 0.0f, &lambda_nm, 1, nullptr), PELLICLE_INVALID_ARGUMENT,
-                  "reflectance");
-    CHECK_EQ(pellicle_film_spectrum(film, 1.0f, 0.0f, nullptr, 0, nullptr), PELLICLE_OK);
-}
-
-TEST_CASE("null: either output of film eval may be missing, and the other does not change for it") {
     const pellicle::Film &film = support::fixed_film();
+    CHECK_REFUSED(pellicle_film_eval(film.raw(), 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, nullptr, nullptr),
+                  PELLICLE_INVALID_ARGUMENT, "reflectance");
     for (const std::uint32_t side : {PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE}) {
         const pellicle::FilmColors both = film.eval(0.5f, 0.0f, side);
         float reflectance[3], transmittance[3];
@@ -246,48 +161,114 @@ TEST_CASE("null: either output of film eval may be missing, and the other does n
         CHECK(support::same_bits(reflectance, both.reflectance.data(), 3));
         CHECK(support::same_bits(transmittance, both.transmittance.data(), 3));
     }
+    CHECK_EQ(pellicle_film_spectrum(film.raw(), 1.0f, 0.0f, nullptr, 0, nullptr), PELLICLE_OK);
 }
 
-TEST_CASE("null: the film batch refuses every missing pointer but thicknesses where none varies") {
-    Untouched<float[3]> reflectance;
-    const float number = 1.0f;
-    PellicleFilmBatchArgs args{};
-    args.count = 1;
-    args.cos_theta = args.thickness_nm = {&number, 4, 4};
-    args.reflectance = {reflectance.output, 12, 4};
-    const PellicleFilm *film = support::varying_film().raw();
-    const auto call = [&](const PellicleFilmBatchArgs &changed) {
-        return pellicle_film_reflectance_batch(film, &changed, sizeof changed);
+TEST_CASE("null: create refuses every missing pointer of its description") {
+    CHECK_REFUSED(create(PellicleBsdfDesc{}), PELLICLE_INVALID_ARGUMENT, "model");
+    const float half = 0.5f;
+    const PellicleParam nameless = {nullptr, &half, 1, nullptr}, valueless = {"reflectance", nullptr, 1, nullptr},
+                        choiceless = {"variant", nullptr, 0, nullptr};
+    const PellicleRange nameless_range = {nullptr, 0.0f, 1.0f};
+    struct Case {
+        const char *model;
+        const PellicleParam *params;
+        std::size_t param_count;
+        const PellicleRange *varying;
+        std::size_t varying_count;
+        const char *words;
     };
-    CHECK_REFUSED(pellicle_film_reflectance_batch(nullptr, &args, sizeof args), PELLICLE_INVALID_ARGUMENT, "film");
-    CHECK_REFUSED(pellicle_film_reflectance_batch(film, nullptr, sizeof args), PELLICLE_INVALID_ARGUMENT, "args");
-
-    PellicleFilmBatchArgs changed = args;
-    changed.cos_theta.data = nullptr;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "cos_theta");
-    changed = args;
-    changed.thickness_nm.data = nullptr;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "thickness_nm");
-    changed.count = 0;
-    CHECK_EQ(call(changed), PELLICLE_OK);
-    changed = args;
-    changed.reflectance.data = nullptr;
-    CHECK_REFUSED(call(changed), PELLICLE_INVALID_ARGUMENT, "reflectance");
+    for (const Case &refused : {Case{"lambert", nullptr, 1, nullptr, 0, "params"},
+                                Case{"lambert", &nameless, 1, nullptr, 0, "name"},
+                                Case{"lambert", &valueless, 1, nullptr, 0, "values"},
+                                Case{"lambert", nullptr, 0, nullptr, 1, "varying"},
+                                Case{"lambert", nullptr, 0, &nameless_range, 1, "name"},
+                                Case{"layered", &choiceless, 1, nullptr, 0, "variant"}}) {
+        PellicleBsdfDesc desc{};
+        desc.model = refused.model;
+        desc.params = refused.params;
+        desc.param_count = refused.param_count;
+        desc.varying = refused.varying;
+        desc.varying_count = refused.varying_count;
+        CHECK_REFUSED(create(desc), PELLICLE_INVALID_ARGUMENT, refused.words);
+    }
 }
 
-TEST_CASE("null: no text that the library returns is missing") {
-    CHECK((pellicle_last_error() != nullptr));
-    CHECK_FALSE(std::string(pellicle_version_string()).empty());
-    for (PellicleStatus status = -2; status < 20; ++status)
-        CHECK_FALSE(std::string(pellicle_status_string(status)).empty());
-    for (const support::Model &model : support::models()) {
-        CHECK_FALSE(std::string(model.info.name).empty());
-        CHECK_FALSE(std::string(model.info.summary).empty());
-        CHECK_FALSE(std::string(model.info.source).empty());
-        for (const PellicleModelParam &param : model.params) {
-            CHECK_FALSE(std::string(param.name).empty());
-            CHECK_FALSE(std::string(param.summary).empty());
-            CHECK((param.unit != nullptr));
-        }
+TEST_CASE("null: film create refuses every missing pointer of its description") {
+    support::FilmDescription film;
+    film.layers = {{support::medium(1.38f), 10.0f, 10.0f}};
+    PellicleFilmDesc desc = film.raw();
+    desc.layers = nullptr;
+    CHECK_REFUSED(support::create_film(desc), PELLICLE_INVALID_ARGUMENT, "layers");
+    desc = film.raw();
+    desc.base = nullptr;
+    CHECK_REFUSED(support::create_film(desc), PELLICLE_INVALID_ARGUMENT, "base");
+    desc = film.raw();
+    desc.ambient = nullptr; // vacuum
+    CHECK_EQ(support::create_film(desc), PELLICLE_OK);
+    const PellicleLayer without_medium = {nullptr, 10.0f, 10.0f};
+    desc = film.raw();
+    desc.layers = &without_medium;
+    CHECK_REFUSED(support::create_film(desc), PELLICLE_INVALID_ARGUMENT, "layers[0].medium");
+
+    const float numbers[2] = {500.0f, 600.0f};
+    for (const float *PellicleMedium::*part :
+         {&PellicleMedium::table_nm, &PellicleMedium::table_eta, &PellicleMedium::table_k}) {
+        support::FilmDescription measured;
+        measured.base = PellicleMedium{};
+        measured.base.table_nm = measured.base.table_eta = measured.base.table_k = numbers;
+        measured.base.table_count = 2;
+        measured.base.*part = nullptr;
+        CHECK_REFUSED(measured.create(), PELLICLE_INVALID_ARGUMENT, "base: table_");
     }
+}
+
+TEST_CASE("null: batches refuse every missing view but the outputs not wanted") {
+    const auto bsdf = lambert();
+    const PellicleFilm *film = support::varying_film().raw();
+    const float number = 1.0f;
+    Untouched<float[3]> output;
+    PellicleEvalBatchArgs eval{};
+    eval.count = 1;
+    eval.wo = eval.wi = {up, 12, 4};
+    eval.value = {output.output, 12, 4};
+    PellicleSampleBatchArgs sample{};
+    sample.count = 1;
+    sample.wo = {up, 12, 4};
+    sample.u = {u, 12, 4};
+    sample.wi = {output.output, 12, 4};
+    PellicleFilmBatchArgs reflectance{};
+    reflectance.count = 1;
+    reflectance.cos_theta = reflectance.thickness_nm = {&number, 4, 4};
+    reflectance.reflectance = {output.output, 12, 4};
+
+    const auto refuse_eval = [&](const char *words, auto change) {
+        PellicleEvalBatchArgs args = eval;
+        change(args);
+        CHECK_REFUSED(pellicle_bsdf_eval_batch(bsdf.raw(), &args, sizeof args), PELLICLE_INVALID_ARGUMENT, words);
+    };
+    refuse_eval("wo", [](auto &args) { args.wo.data = nullptr; });
+    refuse_eval("wi", [](auto &args) { args.wi.data = nullptr; });
+    refuse_eval("value", [](auto &args) { args.value.data = nullptr; });
+    refuse_eval("varying", [](auto &args) { args.varying_count = 1; });
+    const auto refuse_sample = [&](const char *words, auto change) {
+        PellicleSampleBatchArgs args = sample;
+        change(args);
+        CHECK_REFUSED(pellicle_bsdf_sample_batch(bsdf.raw(), &args, sizeof args), PELLICLE_INVALID_ARGUMENT, words);
+    };
+    refuse_sample("wo", [](auto &args) { args.wo.data = nullptr; });
+    refuse_sample("u", [](auto &args) { args.u.data = nullptr; });
+    refuse_sample("output", [](auto &args) { args.wi.data = nullptr; });
+    refuse_sample("varying", [](auto &args) { args.varying_count = 1; });
+    const auto refuse_film = [&](const char *words, auto change) {
+        PellicleFilmBatchArgs args = reflectance;
+        change(args);
+        CHECK_REFUSED(pellicle_film_reflectance_batch(film, &args, sizeof args), PELLICLE_INVALID_ARGUMENT, words);
+    };
+    refuse_film("cos_theta", [](auto &args) { args.cos_theta.data = nullptr; });
+    refuse_film("thickness_nm", [](auto &args) { args.thickness_nm.data = nullptr; });
+    refuse_film("reflectance", [](auto &args) { args.reflectance.data = nullptr; });
+    reflectance.thickness_nm.data = nullptr;
+    reflectance.count = 0;
+    CHECK_EQ(pellicle_film_reflectance_batch(film, &reflectance, sizeof reflectance), PELLICLE_OK);
 }

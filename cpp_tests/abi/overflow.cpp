@@ -96,7 +96,7 @@ TEST_CASE("overflow: eval batches refuse every view that leaves the address spac
     args.wo = args.wi = {memory.data(), 0, 0};
     args.varying = &varying;
     args.varying_count = 1;
-    args.value = args.pdf = {memory.data(), 0, 0};
+    args.value = args.pdf = args.pdf_reverse = {memory.data(), 0, 0};
     using Args = PellicleEvalBatchArgs;
     check_refused<Args>(args,
                         {
@@ -105,6 +105,7 @@ TEST_CASE("overflow: eval batches refuse every view that leaves the address spac
                             {"varying", true, [&](Args &, const Reach &r) { set_view(varying, r); }},
                             {"value", true, [](Args &a, const Reach &r) { set_view(a.value, r); }},
                             {"pdf", false, [](Args &a, const Reach &r) { set_view(a.pdf, r); }},
+                            {"pdf_reverse", false, [](Args &a, const Reach &r) { set_view(a.pdf_reverse, r); }},
                         },
                         [&](const Args &a) {
                             const PellicleStatus status = pellicle_bsdf_eval_batch(bsdf.raw(), &a, sizeof a);
@@ -121,7 +122,7 @@ TEST_CASE("overflow: sample batches refuse every view that leaves the address sp
     args.wo = args.u = {memory.data(), 0, 0};
     args.varying = &varying;
     args.varying_count = 1;
-    args.wi = args.pdf = args.weight = args.eta = {memory.data(), 0, 0};
+    args.wi = args.pdf = args.weight = args.eta = args.lobe_probability = {memory.data(), 0, 0};
     args.flags = args.lobe = {reinterpret_cast<std::uint32_t *>(memory.data()), 0};
     using Args = PellicleSampleBatchArgs;
     check_refused<Args>(args,
@@ -135,6 +136,8 @@ TEST_CASE("overflow: sample batches refuse every view that leaves the address sp
                             {"eta", false, [](Args &a, const Reach &r) { set_view(a.eta, r); }},
                             {"flags", false, [](Args &a, const Reach &r) { a.flags.element_stride = r.element; }},
                             {"lobe", false, [](Args &a, const Reach &r) { a.lobe.element_stride = r.element; }},
+                            {"lobe_probability", false,
+                             [](Args &a, const Reach &r) { set_view(a.lobe_probability, r); }},
                         },
                         [&](const Args &a) {
                             const PellicleStatus status = pellicle_bsdf_sample_batch(bsdf.raw(), &a, sizeof a);
@@ -178,15 +181,14 @@ TEST_CASE("overflow: counts of single calls and descriptions are refused as well
         bsdf.varying_count = count;
         CHECK_REFUSED(pellicle_bsdf_create(&bsdf, sizeof bsdf, &handle.output), PELLICLE_INVALID_ARGUMENT, "varying");
 
-        PellicleFilmDesc film{};
-        film.base = support::medium(1.5f);
-        film.layers = reinterpret_cast<const PellicleLayer *>(memory.data());
-        film.layer_count = count;
-        CHECK_EQ(support::create_film(film), PELLICLE_OUT_OF_RANGE);
-        film.layer_count = 0;
+        support::FilmDescription film;
+        PellicleFilmDesc desc = film.raw();
+        desc.layers = reinterpret_cast<const PellicleLayer *>(memory.data());
+        desc.layer_count = count;
+        CHECK_EQ(support::create_film(desc), PELLICLE_OUT_OF_RANGE);
         film.base = PellicleMedium{};
         film.base.table_nm = film.base.table_eta = film.base.table_k = memory.data();
         film.base.table_count = count;
-        CHECK_EQ(support::create_film(film), PELLICLE_INVALID_ARGUMENT);
+        CHECK_EQ(film.create(), PELLICLE_INVALID_ARGUMENT);
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 #include <malloc.h>
@@ -25,17 +26,50 @@ PellicleMedium medium(float eta, float k) {
     return result;
 }
 
+const PellicleFilmDesc &FilmDescription::raw() {
+    media_.clear();
+    for (const Layer &layer : layers) media_.push_back(layer.medium);
+    raw_layers_.clear();
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        raw_layers_.push_back({&media_[i], layers[i].thickness_min_nm, layers[i].thickness_max_nm});
+    desc.medium_size = sizeof(PellicleMedium);
+    desc.layer_size = sizeof(PellicleLayer);
+    desc.ambient = &ambient;
+    desc.layers = raw_layers_.data();
+    desc.layer_count = raw_layers_.size();
+    desc.base = &base;
+    return desc;
+}
+
+PellicleStatus FilmDescription::create() { return create_film(raw()); }
+
+const char *simd_level() {
+    const char *level = std::getenv("ABI_TEST_SIMD_LEVEL");
+    if (level && *level) return level;
+    static const std::string widest = [] {
+        std::string name;
+        for (std::size_t i = 0; pellicle_name(PELLICLE_NAMES_SIMD_LEVEL, i); ++i)
+            name = pellicle_name(PELLICLE_NAMES_SIMD_LEVEL, i);
+        return name;
+    }();
+    return widest.c_str();
+}
+
+static pellicle::Film magnesium_fluoride(float least_nm, float greatest_nm) {
+    return pellicle::FilmBuilder(pellicle::Medium::constant(1.5f))
+        .layer("MgF2", least_nm, greatest_nm)
+        .transmittance()
+        .simd_level(simd_level())
+        .create();
+}
+
 const pellicle::Film &varying_film() {
-    static const pellicle::Film film = pellicle::FilmBuilder(pellicle::Medium::constant(1.5f))
-                                           .layer("MgF2", 0.0f, varying_film_max_nm)
-                                           .transmittance()
-                                           .create();
+    static const pellicle::Film film = magnesium_fluoride(0.0f, varying_film_max_nm);
     return film;
 }
 
 const pellicle::Film &fixed_film() {
-    static const pellicle::Film film =
-        pellicle::FilmBuilder(pellicle::Medium::constant(1.5f)).layer("MgF2", 100.0f).transmittance().create();
+    static const pellicle::Film film = magnesium_fluoride(100.0f, 100.0f);
     return film;
 }
 
@@ -46,7 +80,7 @@ pellicle::Film film_for(const Model &model, bool has_thickness) {
 
 pellicle::BsdfBuilder builder(const Model &model) {
     pellicle::BsdfBuilder result(model.info.name);
-    result.film(film_for(model, false));
+    result.film(film_for(model, false)).simd_level(simd_level());
     if (model.film_param) result.choose(model.film_param, "film");
     return result;
 }
@@ -70,8 +104,8 @@ static bool is_thickness(const PellicleModelParam &param) { return param.name ==
 // That of the parameter whose choice makes the model take a film, or NULL.
 static const char *name_of_film_choice(const Model &model) {
     for (const PellicleModelParam &param : model.params)
-        for (const char *const *choice = param.choices; *choice; ++choice)
-            if (*choice == std::string("film")) return param.name;
+        for (std::uint32_t i = 0; i < param.choice_count; ++i)
+            if (param.choices[i] == std::string("film")) return param.name;
     return nullptr;
 }
 
@@ -110,7 +144,7 @@ std::vector<Model> models_with_and_without_film() {
 
 Varying::Varying(const Model &model) {
     pellicle::BsdfBuilder builder(model.info.name);
-    builder.film(film_for(model, true));
+    builder.film(film_for(model, true)).simd_level(simd_level());
     if (model.film_param) builder.choose(model.film_param, "film");
     for (const PellicleModelParam &param : model.params) {
         if (!param.can_vary) continue;
@@ -160,7 +194,7 @@ bool same_bits(const float *a, const float *b, std::size_t count) {
 }
 
 bool same_bits(const PellicleSample &a, const PellicleSample &b) {
-    static_assert(sizeof(PellicleSample) == 10 * sizeof(float), "no padding to compare");
+    static_assert(sizeof(PellicleSample) == 11 * sizeof(float), "no padding to compare");
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 

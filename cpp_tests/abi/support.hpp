@@ -26,6 +26,30 @@ using Vec3 = std::array<float, 3>;
 PellicleMedium medium(const char *name);
 PellicleMedium medium(float eta, float k = 0.0f);
 
+// A film's description with all that it points to, for a test to spoil. The pointers and sizes of `desc` are
+// set by raw().
+struct FilmDescription {
+    struct Layer {
+        PellicleMedium medium;
+        float thickness_min_nm, thickness_max_nm;
+    };
+    PellicleMedium base = medium(1.5f), ambient{};
+    std::vector<Layer> layers;
+    PellicleFilmDesc desc{};
+
+    const PellicleFilmDesc &raw();
+    // The status of its creation. What it makes is released at once; a failure must make nothing.
+    PellicleStatus create();
+
+private:
+    std::vector<PellicleMedium> media_;
+    std::vector<PellicleLayer> raw_layers_;
+};
+
+// The SIMD level that all BSDFs and films of support are made with: that of the environment variable
+// ABI_TEST_SIMD_LEVEL, by default the widest.
+const char *simd_level();
+
 // Transparent films of one layer that keep their transmittance. The layer's thickness varies within
 // [0, 400] nm.
 const pellicle::Film &varying_film();
@@ -89,7 +113,7 @@ bool all_zero(const PellicleSample &sample);
 // The text of the latest failure of this thread contains these words.
 bool message_has(const std::string &words);
 
-// The status of a description. What it makes is released at once; a failure must make nothing.
+// The status of a description as it is. What it makes is released at once; a failure must make nothing.
 PellicleStatus create_film(const PellicleFilmDesc &desc);
 
 /// What the program has allocated and not given back; the allocator's own caches count.
@@ -115,6 +139,9 @@ template <class Output> struct Untouched {
         CHECK_EQ(std::memcmp(&output, pattern, sizeof output), 0);
     }
 };
+
+// The type that a function returns, for decltype.
+template <class Result, class... Parameters> Result result_of(Result (*)(Parameters...));
 
 // `size` bytes that end where an inaccessible page begins: an access past them stops the program.
 // Aligned for any type if `size` is a multiple of 16, of 8 if it is a multiple of 8.

@@ -48,7 +48,7 @@ TEST_CASE("wrapper: an error carries status and message, and outlives the next f
         const std::string message = error.what();
         CHECK_EQ(message, pellicle_last_error());
         CHECK_NE(message.find("reflectance"), std::string::npos);
-        CHECK_EQ(pellicle_bsdf_retain(nullptr), PELLICLE_INVALID_ARGUMENT);
+        CHECK_EQ(pellicle_bsdf_info(nullptr, nullptr, 0), PELLICLE_INVALID_ARGUMENT);
         CHECK_EQ(message, error.what());
     }
 }
@@ -89,13 +89,15 @@ TEST_CASE("wrapper: the builder describes what the C structs do") {
 TEST_CASE("wrapper: the calls return what the C functions write") {
     const auto bsdf = pellicle::BsdfBuilder("phong").create();
     const Vec3 u = {0.3f, 0.6f, 0.9f};
-    float value[3], pdf, albedo[3];
+    float value[3], pdf, reverse, albedo[3];
     PellicleSample sample;
-    REQUIRE_EQ(pellicle_bsdf_eval(bsdf.raw(), up.data(), slanted.data(), nullptr, value, &pdf), PELLICLE_OK);
-    REQUIRE_EQ(pellicle_bsdf_sample(bsdf.raw(), up.data(), u.data(), nullptr, &sample, sizeof sample), PELLICLE_OK);
-    REQUIRE_EQ(pellicle_bsdf_albedo(bsdf.raw(), up.data(), nullptr, albedo), PELLICLE_OK);
+    REQUIRE_EQ(pellicle_bsdf_eval(bsdf.raw(), up.data(), slanted.data(), nullptr, nullptr, value, &pdf, &reverse), PELLICLE_OK);
+    REQUIRE_EQ(pellicle_bsdf_sample(bsdf.raw(), up.data(), u.data(), nullptr, nullptr, &sample, sizeof sample), PELLICLE_OK);
+    REQUIRE_EQ(pellicle_bsdf_albedo(bsdf.raw(), up.data(), nullptr, nullptr, albedo), PELLICLE_OK);
     CHECK(support::same_bits(bsdf.eval(up, slanted).value.data(), value, 3));
     CHECK_EQ(bsdf.eval(up, slanted).pdf, pdf);
+    CHECK_EQ(bsdf.eval_both_ways(up, slanted).pdf_reverse, reverse);
+    CHECK_EQ(bsdf.eval_both_ways(up, slanted).pdf, pdf);
     CHECK(support::same_bits(bsdf.value(up, slanted).data(), value, 3));
     CHECK_EQ(bsdf.pdf(up, slanted), pdf);
     CHECK(support::same_bits(bsdf.sample(up, u), sample));
@@ -120,25 +122,24 @@ TEST_CASE("wrapper: a copy of a film shares the handle, a move leaves an empty o
 
 TEST_CASE("wrapper: the film builder describes what the C structs do") {
     const float nm[] = {400.0f, 700.0f}, eta[] = {1.5f, 1.4f}, k[] = {0.1f, 0.0f};
-    PellicleLayer layers[3] = {{support::medium("MgF2"), 80.0f, 80.0f}, {{}, 0.0f, 400.0f}, {support::medium(2.0f, 0.1f), 50.0f, 50.0f}};
-    layers[1].medium.table_nm = nm;
-    layers[1].medium.table_eta = eta;
-    layers[1].medium.table_k = k;
-    layers[1].medium.table_count = 2;
-    PellicleFilmDesc desc{};
-    desc.ambient = support::medium("water");
-    desc.layers = layers;
-    desc.layer_count = 3;
+    support::FilmDescription description;
+    description.layers = {{support::medium("MgF2"), 80.0f, 80.0f}, {{}, 0.0f, 400.0f}, {support::medium(2.0f, 0.1f), 50.0f, 50.0f}};
+    PellicleMedium &measured = description.layers[1].medium;
+    measured.table_nm = nm;
+    measured.table_eta = eta;
+    measured.table_k = k;
+    measured.table_count = 2;
+    description.ambient = support::medium("water");
     for (int channel = 0; channel < 3; ++channel) {
-        desc.base.eta[channel] = 1.5f + 0.1f * float(channel);
-        desc.base.k[channel] = 0.2f * float(channel);
+        description.base.eta[channel] = 1.5f + 0.1f * float(channel);
+        description.base.k[channel] = 0.2f * float(channel);
     }
-    desc.tolerance = 1e-3f;
-    desc.white = "D65";
-    desc.color_space = "acescg";
-    desc.method = "reference";
-    desc.unclipped = desc.transmittance = 1;
-    const pellicle::Film by_structs(desc);
+    description.desc.tolerance = 1e-3f;
+    description.desc.white = "D65";
+    description.desc.color_space = "acescg";
+    description.desc.method = "reference";
+    description.desc.unclipped = description.desc.transmittance = 1;
+    const pellicle::Film by_structs(description.raw());
 
     using pellicle::Medium;
     const auto builder = pellicle::FilmBuilder(Medium::rgb({1.5f, 1.6f, 1.7f}, {0.0f, 0.2f, 0.4f}))
@@ -177,6 +178,20 @@ TEST_CASE("wrapper: the calls of a film return what the C functions write") {
     CHECK(support::same_bits(colors.reflectance.data(), rgb, 3));
     CHECK(support::same_bits(colors.transmittance.data(), transmittance, 3));
     CHECK_FALSE(support::same_bits(film.eval(0.7f, 123.0f).transmittance.data(), transmittance, 3));
+}
+
+TEST_CASE("wrapper: create() into a handle returns the status, and keeps what was there on failure") {
+    pellicle::Bsdf bsdf = pellicle::BsdfBuilder("phong").create();
+    const PellicleBsdf *const phong = bsdf.raw();
+    CHECK_EQ(pellicle::BsdfBuilder("no such model").create(bsdf), PELLICLE_UNKNOWN_NAME);
+    CHECK_EQ(bsdf.raw(), phong);
+    CHECK_EQ(pellicle::BsdfBuilder("lambert").create(bsdf), PELLICLE_OK);
+    CHECK_EQ(std::string(bsdf.info().model), "lambert");
+    pellicle::Film film;
+    CHECK_EQ(pellicle::FilmBuilder("no such medium").create(film), PELLICLE_UNKNOWN_NAME);
+    CHECK_EQ(film.raw(), nullptr);
+    CHECK_EQ(pellicle::FilmBuilder("BK7").create(film), PELLICLE_OK);
+    CHECK_GT(film.reflectance(1.0f)[0], 0.0f);
 }
 
 TEST_CASE("wrapper: a builder's BSDF has the film that it was given") {

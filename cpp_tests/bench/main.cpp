@@ -100,27 +100,27 @@ void add_contenders(std::vector<Contender> &contenders, const std::string &name,
     };
     add("value", count, [&inputs](PellicleBsdf *raw, std::size_t i) {
         float value[3];
-        pellicle_bsdf_eval(raw, inputs.wo[i].data(), inputs.wi[i].data(), nullptr, value, nullptr);
+        pellicle_bsdf_eval(raw, inputs.wo[i].data(), inputs.wi[i].data(), nullptr, nullptr, value, nullptr, nullptr);
         return value[0];
     });
     add("value and pdf", count, [&inputs](PellicleBsdf *raw, std::size_t i) {
         float value[3], pdf;
-        pellicle_bsdf_eval(raw, inputs.wo[i].data(), inputs.wi[i].data(), nullptr, value, &pdf);
+        pellicle_bsdf_eval(raw, inputs.wo[i].data(), inputs.wi[i].data(), nullptr, nullptr, value, &pdf, nullptr);
         return value[0] + pdf;
     });
     add("pdf", count, [&inputs](PellicleBsdf *raw, std::size_t i) {
         float pdf;
-        pellicle_bsdf_eval(raw, inputs.wo[i].data(), inputs.wi[i].data(), nullptr, nullptr, &pdf);
+        pellicle_bsdf_eval(raw, inputs.wo[i].data(), inputs.wi[i].data(), nullptr, nullptr, nullptr, &pdf, nullptr);
         return pdf;
     });
     add("sample", count, [&inputs](PellicleBsdf *raw, std::size_t i) {
         PellicleSample sample;
-        pellicle_bsdf_sample(raw, inputs.wo[i].data(), inputs.u[i].data(), nullptr, &sample, sizeof sample);
+        pellicle_bsdf_sample(raw, inputs.wo[i].data(), inputs.u[i].data(), nullptr, nullptr, &sample, sizeof sample);
         return sample.pdf;
     });
     add("albedo", albedo_count, [&inputs](PellicleBsdf *raw, std::size_t i) {
         float albedo[3];
-        pellicle_bsdf_albedo(raw, inputs.wo[i].data(), nullptr, albedo);
+        pellicle_bsdf_albedo(raw, inputs.wo[i].data(), nullptr, nullptr, albedo);
         return albedo[0];
     });
     const auto batch = [&](const char *call, bool with_pdf) {

@@ -32,7 +32,7 @@ int main(int argc, char **argv) {
     PellicleBsdfDesc desc = {0};
     desc.model = "lambert";
     if (api->bsdf_create(&desc, sizeof desc, &bsdf) != PELLICLE_OK ||
-        api->bsdf_eval(bsdf, wo, wi, NULL, value, NULL) != PELLICLE_OK) {
+        api->bsdf_eval(bsdf, wo, wi, NULL, NULL, value, NULL, NULL) != PELLICLE_OK) {
         fprintf(stderr, "%s\n", api->last_error());
         return 1;
     }

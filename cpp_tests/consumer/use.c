@@ -18,7 +18,7 @@ int main(void) {
     desc.param_count = 1;
 
     if (pellicle_bsdf_create(&desc, sizeof desc, &bsdf) != PELLICLE_OK ||
-        pellicle_bsdf_eval(bsdf, wo, wi, NULL, value, NULL) != PELLICLE_OK) {
+        pellicle_bsdf_eval(bsdf, wo, wi, NULL, NULL, value, NULL, NULL) != PELLICLE_OK) {
         fprintf(stderr, "%s\n", pellicle_last_error());
         return 1;
     }

@@ -92,9 +92,11 @@ TEST_CASE("failures: energy of mixed metal and dielectric, and of rough highligh
     for (const char *diffuse : {"lambert", "oren_nayar", "disney"})
         for (const float metallic : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f})
             for (const float roughness : {0.1f, 0.3f, 0.6f, 1.0f}) {
-                const auto bsdf = BsdfBuilder("metallic_roughness").choose("diffuse", diffuse).set("base_color", 1.0f)
-                                      .set("metallic", metallic).set("roughness", roughness)
-                                      .set("diffuse_roughness", 1.0f).create();
+                auto builder = BsdfBuilder("metallic_roughness").choose("diffuse_form", diffuse).set("base_color", 1.0f)
+                                   .set("metallic", metallic).set("roughness", roughness);
+                if (std::string(diffuse) == "oren_nayar") builder.set("sigma_radians", 1.0f);
+                if (std::string(diffuse) == "disney") builder.set("diffuse_roughness", 1.0f);
+                const auto bsdf = builder.create();
                 for (const double cos_theta : {0.02, 0.1, 0.4, 1.0}) {
                     CAPTURE(std::string(diffuse));
                     CAPTURE(metallic);

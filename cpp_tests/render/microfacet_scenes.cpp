@@ -112,7 +112,7 @@ Materials dielectrics() {
 Materials diffuse() {
     constexpr float reflectance = 0.7f;
     const auto orenNayar = [](float sigma) {
-        return make(pellicle::BsdfBuilder("oren_nayar").set("reflectance", reflectance).set("sigma", sigma));
+        return make(pellicle::BsdfBuilder("oren_nayar").set("reflectance", reflectance).set("sigma_radians", sigma));
     };
     const auto disney = [](float roughness) {
         return make(

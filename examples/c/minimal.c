@@ -46,8 +46,8 @@ int main(void) {
     const float thickness_nm = 70.0f;
     float value[3], pdf;
     PellicleSample sample;
-    int failures = failed(pellicle_bsdf_eval(film, wo, wi, &thickness_nm, value, &pdf));
-    failures += failed(pellicle_bsdf_sample(film, wo, u, &thickness_nm, &sample, sizeof sample));
+    int failures = failed(pellicle_bsdf_eval(film, wo, wi, &thickness_nm, NULL, value, &pdf, NULL));
+    failures += failed(pellicle_bsdf_sample(film, wo, u, &thickness_nm, NULL, &sample, sizeof sample));
     if (failures == 0) {
         printf("value  %g %g %g  pdf %g\n", value[0], value[1], value[2], pdf);
         printf("sample towards %g %g %g  weight %g %g %g\n", sample.wi[0], sample.wi[1], sample.wi[2],

@@ -1,14 +1,13 @@
-//! Batches: the single call over strided arrays. The one place outside `capi` that touches memory
-//! by address.
+//! Batches: the same calls for many elements of strided arrays.
 
 #![allow(unsafe_code)]
 
-mod bsdf;
-mod column;
+mod chunk;
 mod film;
+mod job;
 mod varying;
 mod view;
 
-pub use bsdf::{EvalArgs, SampleArgs, eval, sample};
 pub use film::{FilmArgs, film_reflectance};
+pub use job::{EvalArgs, SampleArgs, eval, sample};
 pub use view::{ConstView, View};

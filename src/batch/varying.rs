@@ -1,10 +1,9 @@
 //! The varying parameters of a batch.
 
-use super::column::{Chunk, Column, Span};
-use super::view::{ConstView, check_reach};
+use super::chunk::{Chunk, Column};
+use super::view::{ConstView, Span, check_reach};
 use crate::bsdf::{Bsdf, MAX_VARYING};
 use crate::error::Error;
-use std::mem::MaybeUninit;
 
 /// The most numbers that varying parameters may have together.
 pub(super) const MAX_FLOATS: usize = 3 * MAX_VARYING;
@@ -24,7 +23,7 @@ impl<'a> VaryingViews<'a> {
                 bsdf.varying_count()
             )));
         }
-        for (view, components) in views.iter().zip(bsdf.varying_components()) {
+        for (view, components) in views.iter().zip(components(bsdf)) {
             check_reach(
                 "varying",
                 components,
@@ -36,7 +35,7 @@ impl<'a> VaryingViews<'a> {
         Ok(Self { bsdf, views })
     }
 
-    /// How many numbers are given per element.
+    /// The number of numbers given per element.
     pub fn floats(&self) -> usize {
         if self.views.is_empty() {
             0
@@ -45,13 +44,13 @@ impl<'a> VaryingViews<'a> {
         }
     }
 
-    /// Where each parameter lies.
+    /// The addresses of each parameter.
     pub fn spans(&self, count: usize) -> impl Iterator<Item = Span> + '_ {
-        let views = self.views.iter().zip(self.bsdf.varying_components());
+        let views = self.views.iter().zip(components(self.bsdf));
         views.map(move |(view, components)| view.span(components, count))
     }
 
-    /// The numbers of a chunk, a slice for each, one parameter after another.
+    /// The numbers of a chunk, one slice per number, one parameter after another.
     ///
     /// # Safety
     /// As for [`Chunk::read`].
@@ -61,49 +60,26 @@ impl<'a> VaryingViews<'a> {
         room: &'b mut [Column<f32>],
         slices: &'c mut [&'b [f32]; MAX_FLOATS],
     ) -> &'c [&'b [f32]] {
-        let (mut rest, mut defaults) = (room, self.bsdf.varying_defaults());
+        let mut rest = room;
         let mut first = 0;
-        for (view, components) in self.views.iter().zip(self.bsdf.varying_components()) {
+        for (view, varying) in self.views.iter().zip(self.bsdf.varying()) {
+            let (components, own) = (varying.defaults.len(), varying.defaults);
             let (room, after) = rest.split_at_mut(components);
-            let (own, other) = defaults.split_at(components);
             let slices = &mut slices[first..first + components];
             for (c, (slice, room)) in slices.iter_mut().zip(room).enumerate() {
                 // SAFETY: the caller vouches for it.
                 *slice = unsafe { component(chunk, view, c, own[c], room) };
             }
-            (rest, defaults) = (after, other);
+            rest = after;
             first += components;
         }
         &slices[..first]
     }
+}
 
-    /// The numbers of element i, one parameter after another; none if none is given.
-    ///
-    /// # Safety
-    /// The element must be readable.
-    pub unsafe fn one<'b>(
-        &self,
-        i: usize,
-        numbers: &'b mut MaybeUninit<[f32; MAX_FLOATS]>,
-    ) -> Option<&'b [f32]> {
-        if self.views.is_empty() {
-            return None;
-        }
-        let numbers = numbers.write([0.0; MAX_FLOATS]);
-        let floats = self.bsdf.varying_floats();
-        numbers[..floats].copy_from_slice(self.bsdf.varying_defaults());
-        let mut first = 0;
-        for (view, components) in self.views.iter().zip(self.bsdf.varying_components()) {
-            if !view.data.is_null() {
-                for c in 0..components {
-                    // SAFETY: the caller of the batch vouches for this address.
-                    numbers[first + c] = unsafe { view.at(i, c) };
-                }
-            }
-            first += components;
-        }
-        Some(&numbers[..floats])
-    }
+/// The number of components of each varying parameter.
+fn components(bsdf: &Bsdf) -> impl Iterator<Item = usize> + '_ {
+    bsdf.varying().map(|varying| varying.defaults.len())
 }
 
 /// One component of a chunk, or its default.
@@ -128,11 +104,10 @@ unsafe fn component<'a>(
         }
     };
     // SAFETY: the caller vouches for all elements; the default outlives the copy.
-    let [slice] = unsafe { chunk.read(&one, std::array::from_mut(room)) };
-    slice
+    unsafe { chunk.read(&one, room) }
 }
 
-/// Calls `f` with room for so many numbers per element, on the stack and no more than is needed.
+/// Calls `f` with room for `floats` numbers per element, on the stack.
 pub(super) fn with_room(floats: usize, f: impl FnOnce(&mut [Column<f32>])) {
     const FEW: usize = 4;
     const SOME: usize = 12;

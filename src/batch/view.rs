@@ -1,6 +1,5 @@
 //! Strided arrays, and the checks that come before any address is used.
 
-use super::column::{CHUNK, Span};
 use crate::error::Error;
 
 /// A strided array to read: component c of element i is `i * element_stride + c * component_stride`
@@ -27,6 +26,12 @@ pub struct View<T = f32> {
     pub component_stride: isize,
 }
 
+/// First and last address of a view's elements; `None` without elements.
+pub(super) type Span = Option<[usize; 2]>;
+
+/// The least distance of two components' columns that are used in place, in elements: a chunk's length.
+pub(super) const LEAST_DISTANCE: usize = 256;
+
 /// Bytes of a number.
 const NUMBER: isize = size_of::<f32>() as isize;
 
@@ -45,19 +50,14 @@ impl ConstView {
         self.as_view().span(components, count)
     }
 
-    /// [`View::is_contiguous`]
-    pub(super) fn is_contiguous(&self, components: usize) -> bool {
-        self.as_view().is_contiguous(components)
-    }
-
     /// [`View::address`]
     pub(super) unsafe fn address(&self, i: usize, c: usize) -> *const f32 {
         // SAFETY: the caller vouches for it.
         unsafe { self.as_view().address(i, c) }
     }
 
-    /// To ask it what has nothing to do with writing.
-    fn as_view(&self) -> View {
+    /// The same addresses, for what does not depend on writing.
+    pub(super) fn as_view(&self) -> View {
         View {
             data: self.data.cast_mut(),
             element_stride: self.element_stride,
@@ -65,29 +65,22 @@ impl ConstView {
         }
     }
 
-    /// Component c of element i.
-    pub(super) unsafe fn at(&self, i: usize, c: usize) -> f32 {
-        // SAFETY: the caller of the batch vouches for this address; check for the offset.
-        unsafe { self.address(i, c).read_unaligned() }
+    /// [`View::column_stride`]
+    pub(super) fn column_stride(&self) -> isize {
+        self.as_view().column_stride()
     }
 
-    /// The three components of element i.
-    pub(super) unsafe fn vector(&self, i: usize) -> [f32; 3] {
-        // SAFETY: as in `at`.
-        unsafe { [self.at(i, 0), self.at(i, 1), self.at(i, 2)] }
-    }
-
-    /// So many elements from the first on, by component.
+    /// Copies `count` elements from the first on, one column per component.
     pub(super) unsafe fn load(&self, first: usize, count: usize, room: &mut [&mut [f32]]) {
         // SAFETY: the caller of the batch vouches for all addresses; check for the offsets.
         unsafe {
-            // Strides that the compiler knows make the loops fast.
+            // Loops with strides known to the compiler are faster.
             if let [x, y, z] = room
                 && self.element_stride == 3 * NUMBER
                 && self.component_stride == NUMBER
             {
                 let data = self.address(first, 0).cast::<[f32; 3]>();
-                // Lengths that the compiler knows to be equal spare it a check for each number.
+                // Equal lengths, known to the compiler, avoid a check for each number.
                 let (x, y, z) = (&mut x[..count], &mut y[..count], &mut z[..count]);
                 for i in 0..count {
                     [x[i], y[i], z[i]] = data.add(i).read_unaligned();
@@ -107,7 +100,7 @@ impl ConstView {
     }
 }
 
-/// Numbers that lie so many bytes apart.
+/// Copies numbers that lie `stride` bytes apart.
 #[inline(always)]
 unsafe fn gather(data: *const f32, stride: isize, numbers: &mut [f32]) {
     for (i, number) in numbers.iter_mut().enumerate() {
@@ -151,12 +144,18 @@ impl<T: Copy> View<T> {
     /// chunk apart from those of other components.
     pub(super) fn is_contiguous(&self, components: usize) -> bool {
         let [number, between] = [size_of::<T>() as isize, self.component_stride];
-        let is_apart = between % number == 0 && between.unsigned_abs() >= CHUNK * size_of::<T>();
+        let is_apart =
+            between % number == 0 && between.unsigned_abs() >= LEAST_DISTANCE * size_of::<T>();
         let is_aligned = !self.data.is_null() && self.data.is_aligned();
         self.element_stride == number && is_aligned && (components == 1 || is_apart)
     }
 
-    /// The bytes from the least to the greatest; none if there are none.
+    /// Elements from one component's column to the next, for a contiguous view.
+    pub(super) fn column_stride(&self) -> isize {
+        self.component_stride / size_of::<T>() as isize
+    }
+
+    /// The first and the last address.
     pub(super) fn span(&self, components: usize, count: usize) -> Span {
         if self.data.is_null() || count == 0 {
             return None;
@@ -178,17 +177,6 @@ impl<T: Copy> View<T> {
     /// The span, and whether it could be written where it lies.
     pub(super) fn target(&self, components: usize, count: usize) -> (Span, bool) {
         (self.span(components, count), self.is_contiguous(components))
-    }
-
-    /// Writes the components of element i, if they are wanted.
-    pub(super) unsafe fn store_one<const N: usize>(&self, i: usize, values: [T; N]) {
-        if self.data.is_null() {
-            return;
-        }
-        for (c, value) in values.into_iter().enumerate() {
-            // SAFETY: the caller of the batch vouches for this address; check for the offset.
-            unsafe { self.address(i, c).write_unaligned(value) }
-        }
     }
 
     /// Writes elements from the first on, given by component.
@@ -248,4 +236,17 @@ pub(super) fn check_reach(
              component_stride = {component_stride} overflows the address space"
         ))),
     }
+}
+
+/// Whether no output that could be written where it lies touches any other view.
+pub(super) fn is_apart(inputs: &[Span], outputs: &[(Span, bool)]) -> bool {
+    let touch = |a: &Span, b: &Span| match (a, b) {
+        (Some([a, b]), Some([c, d])) => a <= d && c <= b,
+        _ => false,
+    };
+    outputs.iter().enumerate().all(|(i, (own, is_contiguous))| {
+        let others = outputs.iter().enumerate().filter(|(j, _)| *j != i);
+        let mut all = inputs.iter().chain(others.map(|(_, (span, _))| span));
+        !is_contiguous || !all.any(|other| touch(own, other))
+    })
 }

@@ -1,11 +1,14 @@
 //! What to create, and the checks that turn it into validated values.
 
-use super::Scalar;
 use super::film_rules::check_film;
-use super::varying::{Range, upward};
-use crate::bsdf::{Bounds, ModelInfo, ParamInfo, ParamKind, RegisteredModel, Values};
+use super::info::{ModelInfo, ParamInfo, ParamKind};
+use super::precision::Precision;
+use super::registry::RegisteredModel;
+use super::values::{Bounds, Values};
+use super::varying::{VaryingRange, upward};
 use crate::error::Error;
 use crate::film::Film;
+use crate::num::Level;
 use std::fmt;
 use std::sync::Arc;
 
@@ -14,9 +17,10 @@ use std::sync::Arc;
 #[derive(Clone, Default)]
 pub struct Description {
     model: String,
-    params: Vec<(String, Given)>,
+    params: Vec<(String, ParamValue)>,
     varying: Vec<(String, f32, f32)>,
     film: Option<Arc<Film>>,
+    simd_level: Option<String>,
 }
 
 impl fmt::Debug for Description {
@@ -32,7 +36,7 @@ impl fmt::Debug for Description {
 
 /// A parameter's value as given.
 #[derive(Clone, Debug)]
-enum Given {
+enum ParamValue {
     Numbers(Vec<f32>),
     Choice(String),
 }
@@ -55,7 +59,7 @@ impl Description {
     #[must_use]
     pub fn set(mut self, param: &str, numbers: &[f32]) -> Self {
         self.params
-            .push((param.to_owned(), Given::Numbers(numbers.to_vec())));
+            .push((param.to_owned(), ParamValue::Numbers(numbers.to_vec())));
         self
     }
 
@@ -63,7 +67,7 @@ impl Description {
     #[must_use]
     pub fn choose(mut self, param: &str, choice: &str) -> Self {
         self.params
-            .push((param.to_owned(), Given::Choice(choice.to_owned())));
+            .push((param.to_owned(), ParamValue::Choice(choice.to_owned())));
         self
     }
 
@@ -82,7 +86,21 @@ impl Description {
         self
     }
 
-    /// Checks everything there is to check.
+    /// The instructions that batches use: "scalar", "sse2", "avx2", "avx512" or "neon", if this processor has
+    /// them; without a choice the widest that it has. All return the same bits: this is for tests.
+    #[must_use]
+    pub fn simd_level(mut self, name: &str) -> Self {
+        self.simd_level = Some(name.to_owned());
+        self
+    }
+
+    pub(super) fn level(&self) -> Result<Level, Error> {
+        self.simd_level
+            .as_deref()
+            .map_or_else(|| Ok(Level::widest()), Level::named)
+    }
+
+    /// Validates names, values, ranges and the film.
     pub(super) fn resolve(&self, entry: &RegisteredModel) -> Result<Resolved, Error> {
         let info = entry.info;
         let mut resolved = Resolved {
@@ -104,7 +122,7 @@ impl Description {
                     "varying parameter '{name}' is given twice"
                 )));
             }
-            let range = Range {
+            let range = VaryingRange {
                 param,
                 min: *min,
                 max: *max,
@@ -112,6 +130,11 @@ impl Description {
             check_range(info, &range)?;
             resolved.values.set_varying(param);
             resolved.varying.push(range);
+        }
+        let is_given =
+            |param: usize| seen[param] || resolved.varying.iter().any(|range| range.param == param);
+        for param in (0..info.params.len()).filter(|&param| is_given(param)) {
+            check_use(info, param, &resolved.values)?;
         }
         check_film(
             entry,
@@ -121,11 +144,13 @@ impl Description {
             &resolved.varying,
         )?;
         resolved.values.set_film(self.film.clone());
-        if let Some(thickness) = info.film_thickness.filter(|&param| !seen[param]) {
-            // Its default means nothing: where it only varies, the least of its range stands for it.
-            let mut ranges = resolved.varying.iter();
-            if let Some(range) = ranges.find(|range| range.param == thickness) {
-                resolved.values.set_numbers(thickness, [range.min; 3]);
+        for range in &resolved.varying {
+            // What varies without a value of its own has the model's default, held within its range.
+            if let ParamKind::Number { default, .. } = info.params[range.param].kind
+                && !seen[range.param]
+            {
+                let default = default.clamp(range.min, range.max);
+                resolved.values.set_numbers(range.param, [default; 3]);
             }
         }
         (entry.check)(&resolved.bounds(info))?;
@@ -136,12 +161,12 @@ impl Description {
 /// Validated values and ranges.
 pub(super) struct Resolved {
     pub values: Values<f32>,
-    pub varying: Vec<Range>,
+    pub varying: Vec<VaryingRange>,
 }
 
 impl Resolved {
     /// The values in the precision of the BSDF; directions are normalised in it.
-    pub fn values_in<T: Scalar>(&self, info: &ModelInfo) -> Values<T> {
+    pub fn values_in<T: Precision>(&self, info: &ModelInfo) -> Values<T> {
         let mut values = Values::defaults(info);
         for (index, param) in info.params.iter().enumerate() {
             let numbers = self
@@ -183,16 +208,50 @@ impl Resolved {
 
 fn index_of(info: &ModelInfo, name: &str) -> Result<usize, Error> {
     info.param(name).ok_or_else(|| {
-        let kind = format!("parameter of model {}", info.name.to_string_lossy());
+        let kind = format!("parameter of model {}", info.name);
         Error::unknown(&kind, name, info.params.iter().map(ParamInfo::name))
     })
+}
+
+/// Refuses a parameter that has no effect with the choices made.
+fn check_use(info: &ModelInfo, index: usize, values: &Values<f32>) -> Result<(), Error> {
+    let param = &info.params[index];
+    if param.is_used(|choice| values.choice(choice)) {
+        return Ok(());
+    }
+    let name_of = |param: usize, choice: usize| match info.params[param].kind {
+        ParamKind::Choice { choices } => {
+            format!("{} = {}", info.params[param].name, choices[choice])
+        }
+        _ => info.params[param].name.to_owned(),
+    };
+    let cases = param.used_with.iter().map(|case| {
+        let choices = case.iter().map(|made| name_of(made.param, made.choice));
+        choices.collect::<Vec<_>>().join(" and ")
+    });
+    let needed = cases.collect::<Vec<_>>().join(", or with ");
+    // The choices that decide: each once.
+    let mut deciding: Vec<usize> = Vec::new();
+    for made in param.used_with.iter().copied().flatten() {
+        if !deciding.contains(&made.param) {
+            deciding.push(made.param);
+        }
+    }
+    let made = deciding
+        .iter()
+        .map(|&param| name_of(param, values.choice(param)));
+    let made = made.collect::<Vec<_>>().join(" and ");
+    Err(Error::invalid(format!(
+        "parameter '{}' has no effect with {made}; it is used with {needed}",
+        param.name
+    )))
 }
 
 fn set(
     values: &mut Values<f32>,
     index: usize,
     param: &ParamInfo,
-    given: &Given,
+    given: &ParamValue,
 ) -> Result<(), Error> {
     let name = param.name();
     match (&param.kind, given) {
@@ -203,7 +262,7 @@ fn set(
                 max,
                 ..
             },
-            Given::Numbers(numbers),
+            ParamValue::Numbers(numbers),
         ) => {
             let numbers = spread(name, *components, numbers)?;
             for (c, number) in numbers.into_iter().enumerate().take(*components) {
@@ -211,15 +270,11 @@ fn set(
             }
             values.set_numbers(index, numbers);
         }
-        (ParamKind::Direction { min_z }, Given::Numbers(numbers)) => {
+        (ParamKind::Direction { min_z }, ParamValue::Numbers(numbers)) => {
             values.set_numbers(index, direction(name, numbers, *min_z)?);
         }
-        (ParamKind::Choice { choices }, Given::Choice(choice)) => {
-            let names = || {
-                choices
-                    .iter()
-                    .map(|choice| choice.to_str().unwrap_or_default())
-            };
+        (ParamKind::Choice { choices }, ParamValue::Choice(choice)) => {
+            let names = || choices.iter().copied();
             let found = names().position(|name| name == choice);
             let kind = format!("choice for '{name}'");
             values.set_choice(
@@ -227,12 +282,12 @@ fn set(
                 found.ok_or_else(|| Error::unknown(&kind, choice, names()))?,
             );
         }
-        (ParamKind::Choice { .. }, Given::Numbers(_)) => {
+        (ParamKind::Choice { .. }, ParamValue::Numbers(_)) => {
             return Err(Error::invalid(format!(
                 "parameter '{name}' takes the name of a choice, not numbers"
             )));
         }
-        (_, Given::Choice(_)) => {
+        (_, ParamValue::Choice(_)) => {
             return Err(Error::invalid(format!(
                 "parameter '{name}' takes numbers, not the name of a choice"
             )));
@@ -296,7 +351,7 @@ fn check_number(name: &str, number: f32, min: f32, max: f32) -> Result<(), Error
 }
 
 /// A declared range must lie within the parameter's own.
-fn check_range(info: &ModelInfo, range: &Range) -> Result<(), Error> {
+fn check_range(info: &ModelInfo, range: &VaryingRange) -> Result<(), Error> {
     let param = &info.params[range.param];
     let name = param.name();
     if !param.can_vary {

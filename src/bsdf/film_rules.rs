@@ -1,7 +1,9 @@
 //! The rules about the film that a model takes, and about the thickness of its varying layer.
 
-use super::varying::Range;
-use crate::bsdf::{ParamKind, RegisteredModel, Values};
+use super::info::ParamKind;
+use super::registry::RegisteredModel;
+use super::values::Values;
+use super::varying::VaryingRange;
 use crate::error::Error;
 use crate::film::Film;
 
@@ -12,7 +14,7 @@ pub(super) fn check_film(
     film: Option<&Film>,
     values: &Values<f32>,
     given: &[bool],
-    varying: &[Range],
+    varying: &[VaryingRange],
 ) -> Result<(), Error> {
     let model = entry.name();
     let film = match ((entry.needs_film)(values), film) {
@@ -78,10 +80,7 @@ fn under_choice(entry: &RegisteredModel, values: &Values<f32>) -> Option<(String
     let ParamKind::Choice { choices } = param.kind else {
         return None;
     };
-    let names: Vec<_> = choices
-        .iter()
-        .map(|choice| choice.to_str().unwrap_or_default())
-        .collect();
+    let names = choices;
     let (name, film) = (param.name(), names[needed.choice]);
     let made = names[values.choice(needed.param)];
     let known = names.join(", ");

@@ -1,8 +1,6 @@
 //! What a model says about itself: name, parameters, lobes, and which laws it breaks and why.
 //!
-//! Texts are C strings because the C interface hands them out as they are.
-
-use std::ffi::CStr;
+//! The C interface keeps NUL-terminated copies of these texts.
 
 /// A set of the `PELLICLE_REFLECTION`, ... bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +17,9 @@ impl Flags {
     pub const GLOSSY: Self = Self(8);
     /// A perfectly specular lobe.
     pub const DELTA: Self = Self(16);
+
+    /// Every flag.
+    pub const ALL: Self = Self(31);
 
     /// Both sets together.
     pub const fn with(self, other: Self) -> Self {
@@ -42,11 +43,11 @@ impl Flags {
 #[derive(Debug)]
 pub struct ModelInfo {
     /// The name to create it by.
-    pub name: &'static CStr,
+    pub name: &'static str,
     /// One sentence.
-    pub summary: &'static CStr,
+    pub summary: &'static str,
     /// Where the model comes from.
-    pub source: &'static CStr,
+    pub source: &'static str,
     /// The parameters, in the order of their indices.
     pub params: &'static [ParamInfo],
     /// The lobes that sampling chooses from, in the order of their numbers.
@@ -65,9 +66,9 @@ pub struct ModelInfo {
 impl ModelInfo {
     /// No lobes, no film, and every law obeyed: what a model does not say.
     pub const PLAIN: Self = Self {
-        name: c"",
-        summary: c"",
-        source: c"",
+        name: "",
+        summary: "",
+        source: "",
         params: &[],
         lobes: &[],
         film_thickness: None,
@@ -83,9 +84,7 @@ impl ModelInfo {
 
     /// The index of a parameter.
     pub fn param(&self, name: &str) -> Option<usize> {
-        self.params
-            .iter()
-            .position(|param| param.name.to_bytes() == name.as_bytes())
+        self.params.iter().position(|param| param.name == name)
     }
 }
 
@@ -104,22 +103,27 @@ pub struct Exception {
     /// The law is broken where all choices of one of these cases are made.
     pub cases: &'static [&'static [Choice]],
     /// The reason, naming the choices.
-    pub reason: &'static CStr,
+    pub reason: &'static str,
 }
 
 impl Exception {
     /// Whether the law is broken, given what is chosen for each parameter.
     pub fn applies(&self, chosen: impl Fn(usize) -> usize) -> bool {
-        let is_made = |choice: &Choice| chosen(choice.param) == choice.choice;
-        self.cases.iter().any(|case| case.iter().all(is_made))
+        is_any_made(self.cases, chosen)
     }
+}
+
+/// Whether all choices of one of the cases are made.
+fn is_any_made(cases: &[&[Choice]], chosen: impl Fn(usize) -> usize) -> bool {
+    let is_made = |choice: &Choice| chosen(choice.param) == choice.choice;
+    cases.iter().any(|case| case.iter().all(is_made))
 }
 
 /// A lobe that sampling may choose.
 #[derive(Debug)]
 pub struct LobeInfo {
     /// Its name in documentation and tests.
-    pub name: &'static CStr,
+    pub name: &'static str,
     /// Side and breadth.
     pub flags: Flags,
 }
@@ -127,12 +131,12 @@ pub struct LobeInfo {
 impl LobeInfo {
     /// A broad lobe that reflects.
     pub const DIFFUSE: Self = Self {
-        name: c"diffuse",
+        name: "diffuse",
         flags: Flags::REFLECTION.with(Flags::DIFFUSE),
     };
     /// A highlight.
     pub const SPECULAR: Self = Self {
-        name: c"specular",
+        name: "specular",
         flags: Flags::REFLECTION.with(Flags::GLOSSY),
     };
 }
@@ -141,20 +145,23 @@ impl LobeInfo {
 #[derive(Debug)]
 pub struct ParamInfo {
     /// The name it is set by.
-    pub name: &'static CStr,
+    pub name: &'static str,
     /// "nm", or "" for a pure number.
-    pub unit: &'static CStr,
+    pub unit: &'static str,
     /// One sentence.
-    pub summary: &'static CStr,
+    pub summary: &'static str,
     /// What it holds.
     pub kind: ParamKind,
     /// Whether it may be given per call.
     pub can_vary: bool,
+    /// The parameter has an effect where all choices of one of these cases are made; none: always. Where it
+    /// has none, a description that gives it is refused.
+    pub used_with: &'static [&'static [Choice]],
 }
 
 impl ParamInfo {
-    const fn new(name: &'static CStr, summary: &'static CStr, kind: ParamKind) -> Self {
-        let unit = c"";
+    const fn new(name: &'static str, summary: &'static str, kind: ParamKind) -> Self {
+        let unit = "";
         let can_vary = !matches!(kind, ParamKind::Choice { .. });
         Self {
             name,
@@ -162,13 +169,14 @@ impl ParamInfo {
             summary,
             kind,
             can_vary,
+            used_with: &[],
         }
     }
 
     /// A number that may vary.
     pub const fn number(
-        name: &'static CStr,
-        summary: &'static CStr,
+        name: &'static str,
+        summary: &'static str,
         range: [f32; 2],
         default: f32,
     ) -> Self {
@@ -177,8 +185,8 @@ impl ParamInfo {
 
     /// A number per colour channel that may vary.
     pub const fn rgb(
-        name: &'static CStr,
-        summary: &'static CStr,
+        name: &'static str,
+        summary: &'static str,
         range: [f32; 2],
         default: f32,
     ) -> Self {
@@ -186,8 +194,8 @@ impl ParamInfo {
     }
 
     const fn numbers(
-        name: &'static CStr,
-        summary: &'static CStr,
+        name: &'static str,
+        summary: &'static str,
         components: usize,
         [min, max]: [f32; 2],
         default: f32,
@@ -202,22 +210,35 @@ impl ParamInfo {
     }
 
     /// A direction that may vary, whose z is at least `min_z` after normalisation.
-    pub const fn direction(name: &'static CStr, summary: &'static CStr, min_z: f32) -> Self {
+    pub const fn direction(name: &'static str, summary: &'static str, min_z: f32) -> Self {
         Self::new(name, summary, ParamKind::Direction { min_z })
     }
 
     /// A choice, which may not.
     pub const fn choice(
-        name: &'static CStr,
-        summary: &'static CStr,
-        choices: &'static [&'static CStr],
+        name: &'static str,
+        summary: &'static str,
+        choices: &'static [&'static str],
     ) -> Self {
         Self::new(name, summary, ParamKind::Choice { choices })
     }
 
     /// With a unit.
-    pub const fn in_unit(self, unit: &'static CStr) -> Self {
+    pub const fn in_unit(self, unit: &'static str) -> Self {
         Self { unit, ..self }
+    }
+
+    /// Has an effect only where all choices of one of the cases are made.
+    pub const fn used_with(self, cases: &'static [&'static [Choice]]) -> Self {
+        Self {
+            used_with: cases,
+            ..self
+        }
+    }
+
+    /// Whether it has an effect, given what is chosen for each parameter.
+    pub fn is_used(&self, chosen: impl Fn(usize) -> usize) -> bool {
+        self.used_with.is_empty() || is_any_made(self.used_with, chosen)
     }
 
     /// May not be given per call.
@@ -230,7 +251,7 @@ impl ParamInfo {
 
     /// Its name.
     pub fn name(&self) -> &'static str {
-        self.name.to_str().unwrap_or_default()
+        self.name
     }
 
     /// How many numbers it has; 0 for a choice.
@@ -265,6 +286,6 @@ pub enum ParamKind {
     /// One name out of a list; the first by default.
     Choice {
         /// The names.
-        choices: &'static [&'static CStr],
+        choices: &'static [&'static str],
     },
 }

@@ -1,52 +1,36 @@
 //! A BSDF: a model with validated parameters, compiled, immutable, ready to be called.
 
+use super::call::Call;
 use super::description::Description;
-use super::varying::Varying;
-use crate::bsdf::{self, Flags, Kernel, LobeInfo, ModelInfo, Override, PerLobe, Precision, Values};
+use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
+use super::job::{Direction, EvalJob, SampleJob, are_uniform, is_above, is_unit};
+use super::kernel::Kernel;
+use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
+use super::precision::Precision;
+use super::registry::find;
+use super::varying::{VaryingParams, VaryingRange, VaryingValues};
 use crate::error::Error;
 use crate::num::{Level, Rgb, Vec3};
-use std::ffi::{CStr, CString};
 
-/// The precisions that a BSDF exists in: `f32` with `glam::Vec3` for renderers, `f64` with
-/// `glam::DVec3` as the oracle.
-pub trait Scalar: Precision {
-    /// The public vector type.
-    type Vector: Into<[Self; 3]> + From<[Self; 3]> + Copy;
-    #[doc(hidden)]
-    fn prepare(
-        entry: &bsdf::RegisteredModel,
-        values: &Values<Self>,
-    ) -> Result<Box<dyn Kernel<Self>>, Error>;
-}
-
-impl Scalar for f32 {
-    type Vector = glam::Vec3;
-    fn prepare(
-        entry: &bsdf::RegisteredModel,
-        values: &Values<f32>,
-    ) -> Result<Box<dyn Kernel<f32>>, Error> {
-        (entry.prepare_f32)(values)
-    }
-}
-
-impl Scalar for f64 {
-    type Vector = glam::DVec3;
-    fn prepare(
-        entry: &bsdf::RegisteredModel,
-        values: &Values<f64>,
-    ) -> Result<Box<dyn Kernel<f64>>, Error> {
-        (entry.prepare_f64)(values)
-    }
+/// Values at a pair of directions.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Evaluation<T = f32> {
+    /// f(wo, wi) |wi.z|.
+    pub value: Rgb<T>,
+    /// The density with which [`Bsdf::sample`] finds wi from wo, per solid angle.
+    pub pdf: T,
+    /// The density with which it finds wo from wi.
+    pub pdf_reverse: T,
 }
 
 /// A sampled direction; all 0: no valid sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample<T: Scalar = f32> {
+pub struct Sample<T: Precision = f32> {
     /// To the light, unit.
     pub wi: T::Vector,
     /// Density of wi over all lobes, per solid angle; 0 for a DELTA lobe.
     pub pdf: T,
-    /// value / pdf, RGB; for a DELTA lobe what it passes on over the probability of choosing it.
+    /// value / pdf, RGB; for a DELTA lobe its throughput over the probability of choosing it.
     pub weight: Rgb<T>,
     /// Index on wi's side over the index on wo's side.
     pub eta: T,
@@ -54,21 +38,22 @@ pub struct Sample<T: Scalar = f32> {
     pub flags: Flags,
     /// Number of the chosen lobe.
     pub lobe: usize,
+    /// The probability with which the lobe was chosen.
+    pub lobe_probability: T,
 }
 
-impl<T: Scalar> Sample<T> {
-    /// No valid sample.
-    fn none() -> Self {
-        let zero = T::new(0.0);
-        Self {
-            wi: [zero; 3].into(),
-            pdf: zero,
-            weight: [zero; 3],
-            eta: zero,
-            flags: Flags(0),
-            lobe: 0,
-        }
-    }
+/// A parameter that varies per call.
+#[derive(Clone, Copy, Debug)]
+pub struct Varying<'a, T: Precision = f32> {
+    /// The parameter.
+    pub param: &'static ParamInfo,
+    /// Least value of each component; 0 for a direction.
+    pub min: f32,
+    /// Greatest value of each component; 0 for a direction.
+    pub max: f32,
+    /// The values that a call without `varying` uses: those of the description, the model's defaults held in
+    /// the range, or for a film's thickness the least of the range.
+    pub defaults: &'a [T],
 }
 
 /// A compiled BSDF. Share it between threads as you like; no call but [`Bsdf::new`] allocates.
@@ -78,47 +63,53 @@ impl<T: Scalar> Sample<T> {
 /// A finite number outside its declared range is clamped to it; NaN, infinity, a wrong length or a
 /// direction with z <= 0 gives 0. So do directions that are not unit to 1e-3, and directions with
 /// z <= 0; with TRANSMISSION among [`Bsdf::flags`], z < 0 is the base's side and z = 0 gives 0.
-pub struct Bsdf<T: Scalar = f32> {
+pub struct Bsdf<T: Precision = f32> {
     info: &'static ModelInfo,
-    /// Those that this instance has.
-    pub(super) lobes: &'static [LobeInfo],
+    /// The lobes of this instance.
+    lobes: &'static [LobeInfo],
     /// Whether there is a base's side.
     is_two_sided: bool,
-    pub(super) kernel: Box<dyn Kernel<T>>,
-    pub(super) varying: Varying<T>,
-    plan: CString,
+    kernel: Box<dyn Kernel<T>>,
+    varying: VaryingParams<T>,
+    ranges: Box<[VaryingRange]>,
+    level: Level,
+    plan: String,
 }
 
-impl<T: Scalar> Bsdf<T> {
+impl<T: Precision> Bsdf<T> {
     /// Validates and compiles a description.
     ///
     /// # Errors
     /// `UnknownName`, `OutOfRange`, `InvalidArgument` or `Unsupported`, with a message that names
-    /// the parameter, its value and what is allowed; `OutOfMemory` if a model's tables find no room.
+    /// the parameter, its value and what is allowed; `OutOfMemory` if there is no memory for a model's
+    /// tables.
     pub fn new(description: &Description) -> Result<Self, Error> {
-        let entry = bsdf::find(description.model())?;
-        let resolved = description.resolve(entry)?;
-        let values = resolved.values_in::<T>(entry.info);
-        let lobes = (entry.lobes)(&resolved.values);
-        let kernel = T::prepare(entry, &values)?;
+        let model = find(description.model())?;
+        let level = description.level()?;
+        let resolved = description.resolve(model)?;
+        let values = resolved.values_in::<T>(model.info);
+        let lobes = (model.lobes)(&resolved.values);
+        let kernel = T::prepare(|| model.prepare, || model.oracle(), &values)?;
         Ok(Self {
-            plan: plan_in_words(&*kernel),
-            info: entry.info,
+            plan: plan_in_words(kernel.plan(), level),
+            info: model.info,
             lobes,
             is_two_sided: Flags::of(lobes).contains(Flags::TRANSMISSION),
             kernel,
-            varying: Varying::new(entry.info, &values, &resolved.varying),
+            varying: VaryingParams::new(model.info, &values, &resolved.varying),
+            ranges: resolved.varying.into(),
+            level,
         })
     }
 
-    /// What the model says about itself.
+    /// The description of the model.
     pub fn info(&self) -> &'static ModelInfo {
         self.info
     }
 
-    /// What this BSDF was specialised to: terms that its values leave out and formulas that are shorter for
-    /// them, separated by commas; and what batches run with.
-    pub fn plan(&self) -> &CStr {
+    /// What this BSDF was specialised to: the terms that its values leave out and the formulas that are shorter
+    /// for them, separated by commas; and the instructions that batches use.
+    pub fn plan(&self) -> &str {
         &self.plan
     }
 
@@ -133,124 +124,204 @@ impl<T: Scalar> Bsdf<T> {
         self.lobes
     }
 
+    /// The parameters that vary per call, in declared order.
+    pub fn varying(&self) -> impl ExactSizeIterator<Item = Varying<'_, T>> {
+        let mut rest = self.varying.defaults();
+        self.ranges.iter().map(move |range| {
+            let param = &self.info.params[range.param];
+            let (defaults, after) = rest.split_at(param.components());
+            rest = after;
+            Varying {
+                param,
+                min: range.min,
+                max: range.max,
+                defaults,
+            }
+        })
+    }
+
     /// How many parameters vary per call.
     pub fn varying_count(&self) -> usize {
-        self.varying.count()
+        self.ranges.len()
     }
 
     /// How many numbers the varying parameters have together.
     pub fn varying_floats(&self) -> usize {
-        self.varying.floats()
+        self.varying.defaults().len()
     }
 
-    /// The varying parameters' own values, in the form of a `varying` argument.
-    pub fn varying_defaults(&self) -> &[T] {
-        self.varying.defaults()
-    }
-
-    /// How many components each varying parameter has, in declared order.
-    pub fn varying_components(&self) -> impl Iterator<Item = usize> + '_ {
-        self.varying.components()
+    /// The instructions that batches use.
+    pub(crate) fn level(&self) -> Level {
+        self.level
     }
 
     /// f(wo, wi) |wi.z|.
-    pub fn eval(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
-        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| {
-            kernel.eval(overrides, wo, wi)
+    pub fn eval(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>, call: &Call) -> Rgb<T> {
+        self.at_pair(wo, wi, varying, call, |wo, wi, varying, lobes| {
+            self.kernel.eval(wo, wi, varying, lobes)
         })
         .unwrap_or([T::new(0.0); 3])
     }
 
     /// [`Bsdf::eval`] and the density with which [`Bsdf::sample`] finds wi, per solid angle.
-    pub fn eval_pdf(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>) -> (Rgb<T>, T) {
-        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| {
-            kernel.eval_pdf(overrides, wo, wi)
-        })
-        .unwrap_or(([T::new(0.0); 3], T::new(0.0)))
-    }
-
-    /// The probability of choosing each lobe, and each lobe's own density at wi.
-    pub fn lobes(
+    pub fn eval_pdf(
         &self,
         wo: T::Vector,
         wi: T::Vector,
         varying: Option<&[T]>,
-    ) -> (PerLobe<T>, PerLobe<T>) {
-        let none = [T::new(0.0); bsdf::MAX_LOBES];
-        self.at_pair(wo, wi, varying, |kernel, overrides, wo, wi| {
-            kernel.lobes(overrides, wo, wi)
+        call: &Call,
+    ) -> (Rgb<T>, T) {
+        self.at_pair(wo, wi, varying, call, |wo, wi, varying, lobes| {
+            self.kernel.eval_pdf(wo, wi, varying, lobes)
         })
-        .unwrap_or((none, none))
+        .unwrap_or(([T::new(0.0); 3], T::new(0.0)))
     }
 
-    /// A direction for three uniform numbers in [0, 1).
-    pub fn sample(&self, wo: T::Vector, u: T::Vector, varying: Option<&[T]>) -> Sample<T> {
-        let u: [T; 3] = u.into();
-        let sampled = self.direction(wo).and_then(|wo| {
-            if !u.into_iter().all(bsdf::is_uniform) {
-                return None;
-            }
-            self.varying
-                .with(varying, |overrides| self.kernel.sample(overrides, wo, u))?
-        });
-        sampled.map_or(Sample::none(), |sampled| Sample {
-            wi: sampled.wi.to_array().into(),
-            pdf: sampled.pdf,
-            weight: sampled.weight,
-            eta: sampled.eta,
-            flags: self.lobes[sampled.lobe].flags,
-            lobe: sampled.lobe,
-        })
+    /// [`Bsdf::eval_pdf`], and the density of the reverse.
+    pub fn evaluate(
+        &self,
+        wo: T::Vector,
+        wi: T::Vector,
+        varying: Option<&[T]>,
+        call: &Call,
+    ) -> Evaluation<T> {
+        let (value, pdf) = self.eval_pdf(wo, wi, varying, call);
+        let (_, pdf_reverse) = self.eval_pdf(wi, wo, varying, call);
+        Evaluation {
+            value,
+            pdf,
+            pdf_reverse,
+        }
     }
 
-    /// Directional albedo, the integral of the value over wi: how bright the surface looks from wo in
-    /// a white furnace. By quadrature (some milliseconds) unless the model has a closed form. What is
-    /// transmitted counts as radiance, (eta_o / eta_i)^2 times its power: seen from within a dense
-    /// base the albedo exceeds 1.
-    pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>) -> Rgb<T> {
-        self.direction(wo)
-            .and_then(|wo| {
-                self.varying
-                    .with(varying, |overrides| self.kernel.albedo(overrides, wo))
-            })
-            .unwrap_or([T::new(0.0); 3])
-    }
-
-    /// Calls `f` if both directions and the varying values are valid.
+    /// Calls `f` if both directions and the number of varying values are valid, and a lobe takes part.
     #[inline(always)]
     fn at_pair<R>(
         &self,
         wo: T::Vector,
         wi: T::Vector,
         varying: Option<&[T]>,
-        f: impl FnOnce(&dyn Kernel<T>, &[Override<T>], Vec3<T>, Vec3<T>) -> R,
+        call: &Call,
+        f: impl FnOnce(Vec3<T>, Vec3<T>, &VaryingValues<T>, LobeSet) -> R,
     ) -> Option<R> {
         let (wo, wi) = (self.direction(wo)?, self.direction(wi)?);
-        self.varying
-            .with(varying, |overrides| f(&*self.kernel, overrides, wo, wi))
+        let lobes = LobeSet::wanted(self.lobes, call.lobes);
+        let varying = self.varying.of_one(varying)?;
+        (!lobes.is_empty()).then(|| f(wo, wi, &varying, lobes))
     }
 
-    /// The direction, if it is unit to 1e-3 and on a side that there is.
+    /// The probability of choosing each lobe, and each lobe's own density at wi.
+    #[doc(hidden)]
+    pub fn lobes(
+        &self,
+        wo: T::Vector,
+        wi: T::Vector,
+        varying: Option<&[T]>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        let none = [T::new(0.0); MAX_LOBES];
+        self.at_pair(wo, wi, varying, &Call::default(), |wo, wi, varying, _| {
+            self.kernel.lobes(wo, wi, varying)
+        })
+        .unwrap_or((none, none))
+    }
+
+    /// A direction for three uniform numbers in [0, 1), of which the first chooses the lobe.
+    pub fn sample(
+        &self,
+        wo: T::Vector,
+        u: T::Vector,
+        varying: Option<&[T]>,
+        call: &Call,
+    ) -> Sample<T> {
+        let u: [T; 3] = u.into();
+        let lobes = LobeSet::wanted(self.lobes, call.lobes);
+        let drawn = self.direction(wo).and_then(|wo| {
+            let varying = self.varying.of_one(varying)?;
+            let sample = || self.kernel.sample(wo, u, &varying, lobes, call.transport);
+            (are_uniform(u) && !lobes.is_empty()).then(sample)
+        });
+        let drawn = drawn.unwrap_or(Direction::none());
+        let lobe = drawn.lobe.to_f32() as usize;
+        Sample {
+            wi: drawn.wi.to_array().into(),
+            pdf: drawn.pdf,
+            weight: drawn.weight,
+            eta: drawn.eta,
+            flags: self.sampled_flags(lobe, drawn.lobe_probability > T::new(0.0)),
+            lobe,
+            lobe_probability: drawn.lobe_probability,
+        }
+    }
+
+    /// Directional albedo, the integral of the value over wi: how bright the surface looks from wo in
+    /// a white furnace. By quadrature (some milliseconds) unless the model has a closed form. What is
+    /// transmitted counts as radiance, (eta_o / eta_i)^2 times its power: seen from within a dense
+    /// base the albedo exceeds 1.
+    pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>, call: &Call) -> Rgb<T> {
+        let lobes = LobeSet::wanted(self.lobes, call.lobes);
+        let found = || {
+            let (wo, varying) = (self.direction(wo)?, self.varying.of_one(varying)?);
+            (!lobes.is_empty()).then(|| self.kernel.albedo(wo, &varying, lobes))
+        };
+        found().unwrap_or([T::new(0.0); 3])
+    }
+
+    /// Evaluates a job; 0 without lobes.
+    pub(crate) fn eval_job(&self, level: Level, job: &mut EvalJob<T>) {
+        if job.lobes.is_empty() {
+            job.clear();
+        } else {
+            self.kernel.eval_job(level, job);
+        }
+    }
+
+    /// Samples a job; 0 without lobes.
+    pub(crate) fn sample_job(&self, level: Level, job: &mut SampleJob<T>) {
+        if job.lobes.is_empty() {
+            job.run_each(|_, _, _| Direction::none());
+        } else {
+            self.kernel.sample_job(level, job);
+        }
+    }
+
+    /// The lobes that take part in a call.
+    pub(crate) fn wanted_lobes(&self, call: &Call) -> LobeSet {
+        LobeSet::wanted(self.lobes, call.lobes)
+    }
+
+    /// The varying values of many elements: one column for each number, or no columns.
+    pub(crate) fn varying_columns<'a>(&'a self, columns: &'a [&'a [T]]) -> VaryingValues<'a, T> {
+        self.varying.of_many(columns)
+    }
+
+    /// Flags of a sampled lobe; none without a sample.
+    #[inline(always)]
+    pub(crate) fn sampled_flags(&self, lobe: usize, is_found: bool) -> Flags {
+        if is_found {
+            self.lobes[lobe].flags
+        } else {
+            Flags(0)
+        }
+    }
+
+    /// The direction, if it is unit to 1e-3 and on a side that exists.
     #[inline(always)]
     fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
         let w = Vec3::from_array(w.into());
         let is_valid = if self.is_two_sided {
-            bsdf::is_unit(w) && w.z != T::new(0.0)
+            is_unit(w) && w.z != T::new(0.0)
         } else {
-            bsdf::is_above(w)
+            is_above(w)
         };
         is_valid.then_some(w)
     }
 }
 
-fn plan_in_words<T: Precision>(kernel: &dyn Kernel<T>) -> CString {
-    let mut words = kernel.plan().join(", ");
-    if words.is_empty() {
-        words.push_str("all terms");
-    }
-    let batches = match kernel.tiles() {
-        Some(_) => Level::chosen().name(),
-        None => "single calls",
+fn plan_in_words(terms: Vec<&'static str>, level: Level) -> String {
+    let words = if terms.is_empty() {
+        "all terms".to_owned()
+    } else {
+        terms.join(", ")
     };
-    CString::new(format!("{words}; batches by {batches}")).expect("no words contain NUL")
+    format!("{words}; batches by {}", level.name())
 }

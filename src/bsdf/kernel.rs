@@ -1,64 +1,95 @@
-//! A compiled model behind a pointer: what is the same for all models and needs one virtual call.
+//! A compiled model behind a pointer: the one virtual call.
 
-use super::model::PerLobe;
-use super::precision::Precision;
-use super::tile::Tiles;
-use crate::num::{Rgb, Vec3};
-
-/// A parameter's value for one call, in place of the one it was compiled with.
-#[derive(Clone, Copy, Debug)]
-pub struct Override<T> {
-    /// Index of the parameter.
-    pub param: usize,
-    /// Its value; a scalar is in all three places, a direction is unit.
-    pub value: [T; 3],
-}
-
-/// A sampled direction.
-#[derive(Clone, Copy, Debug)]
-pub struct Direction<T> {
-    /// To the light.
-    pub wi: Vec3<T>,
-    /// Density of wi over all lobes; 0 for a Dirac lobe.
-    pub pdf: T,
-    /// value / pdf; for a Dirac lobe what it passes on over the probability of choosing it.
-    pub weight: Rgb<T>,
-    /// Index on wi's side over the index on wo's side.
-    pub eta: T,
-    /// Which lobe was chosen.
-    pub lobe: usize,
-}
+use super::call::Transport;
+use super::job::{Direction, EvalJob, SampleJob, are_uniform, is_above, is_unit};
+use super::lobes::{LobeSet, PerLobe};
+use super::varying::VaryingValues;
+use crate::num::{Lane, Level, Rgb, Vec3};
 
 /// A compiled model, callable without knowing which.
 ///
-/// Every direction passed in is valid and has z > 0, or for a BSDF with TRANSMISSION z != 0; the
-/// caller has seen to it.
-pub trait Kernel<T: Precision>: Send + Sync {
+/// Single calls have entries of their own, which pass their arguments in registers: as jobs of one element
+/// they took 1.4 to 1.9 times as long (lambert 16 instead of 11 ns, phong 25 instead of 16). In these calls
+/// `wo` and `wi` are valid: unit, with z > 0 or, for a BSDF with TRANSMISSION, z != 0.
+pub trait Kernel<T: Lane<Scalar = T, Mask = bool>>: Send + Sync {
     /// f(wo, wi) |wi.z|; 0 unless a lobe has a density.
-    fn eval(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> Rgb<T> {
+    fn eval(
+        &self,
+        _wo: Vec3<T>,
+        _wi: Vec3<T>,
+        _varying: &VaryingValues<T>,
+        _lobes: LobeSet,
+    ) -> Rgb<T> {
         [T::new(0.0); 3]
     }
-    /// Value and density; 0 unless a lobe has a density.
-    fn eval_pdf(&self, _overrides: &[Override<T>], _wo: Vec3<T>, _wi: Vec3<T>) -> (Rgb<T>, T) {
+
+    /// The value and the density of wi.
+    fn eval_pdf(
+        &self,
+        _wo: Vec3<T>,
+        _wi: Vec3<T>,
+        _varying: &VaryingValues<T>,
+        _lobes: LobeSet,
+    ) -> (Rgb<T>, T) {
         ([T::new(0.0); 3], T::new(0.0))
     }
-    /// Probability and density of each lobe.
+
+    /// A direction, from three uniform numbers in [0, 1).
+    fn sample(
+        &self,
+        wo: Vec3<T>,
+        u: [T; 3],
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+        transport: Transport,
+    ) -> Direction<T>;
+
+    /// Values and densities of many elements, with the bits of [`Kernel::eval_pdf`] at every level.
+    fn eval_job(&self, _level: Level, job: &mut EvalJob<T>) {
+        let (varying, lobes) = (job.varying, job.lobes);
+        job.run_each(|element, wo, wi| self.eval_pdf(wo, wi, &varying.element(element), lobes));
+    }
+
+    /// Directions for many elements, with the bits of [`Kernel::sample`] at every level.
+    fn sample_job(&self, _level: Level, job: &mut SampleJob<T>) {
+        sample_each(self, job);
+    }
+
+    /// Directional albedo of the lobes in the set: the integral of the value over wi, including what Dirac
+    /// lobes reflect and transmit.
+    fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T>;
+
+    /// The probability of each lobe, and each lobe's own density at wi.
     fn lobes(
         &self,
-        overrides: &[Override<T>],
         wo: Vec3<T>,
         wi: Vec3<T>,
+        varying: &VaryingValues<T>,
     ) -> (PerLobe<T>, PerLobe<T>);
-    /// A direction, from three uniform numbers in [0, 1): the first chooses the lobe.
-    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>>;
-    /// Directional albedo.
-    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T>;
-    /// What of the model's terms is left out or found by shorter formulas, in words.
-    fn plan(&self) -> Vec<&'static str> {
-        Vec::new()
+
+    /// Whether the BSDF has TRANSMISSION, so that wo may have z < 0.
+    fn is_two_sided(&self) -> bool {
+        false
     }
-    /// The same, many at once; none: one by one.
-    fn tiles(&self) -> Option<&dyn Tiles> {
-        None
-    }
+
+    /// The terms that are left out and the formulas that are shorter for these parameters, in words.
+    fn plan(&self) -> Vec<&'static str>;
+}
+
+/// Samples a job element by element.
+pub fn sample_each<T, K>(kernel: &K, job: &mut SampleJob<T>)
+where
+    T: Lane<Scalar = T, Mask = bool>,
+    K: Kernel<T> + ?Sized,
+{
+    let (varying, lobes, transport) = (job.varying, job.lobes, job.transport);
+    let is_two_sided = kernel.is_two_sided();
+    job.run_each(|element, wo, u| {
+        let is_valid = is_above(wo) || is_two_sided && is_unit(wo) && wo.z.lt(T::new(0.0));
+        if is_valid && are_uniform(u) {
+            kernel.sample(wo, u, &varying.element(element), lobes, transport)
+        } else {
+            Direction::none()
+        }
+    });
 }

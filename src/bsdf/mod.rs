@@ -2,33 +2,31 @@
 //!
 //! A model is one file in `models/` and one line in `registry.rs`.
 
+mod call;
+mod compiled;
 mod description;
 mod film_rules;
 mod info;
 mod instance;
+mod job;
 mod kernel;
-mod mixture;
+mod lobes;
 mod model;
 mod models;
 mod precision;
 mod quadrature;
 mod registry;
-mod tile;
-mod tiles;
+mod surface;
 mod values;
 mod varying;
 
+pub use call::{Call, Transport};
 pub use description::Description;
 pub use info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
-pub use instance::{Bsdf, Sample, Scalar};
-pub use kernel::{Direction, Kernel, Override};
-pub use mixture::{Mixture, Surfaces};
-pub use model::{Compiled, MAX_LOBES, Model, PerLobe, Scattering};
+pub use instance::{Bsdf, Evaluation, Sample, Varying};
+pub(crate) use job::{EvalJob, SampleJob};
+pub use lobes::{MAX_LOBES, PerLobe};
 pub use precision::Precision;
 pub use registry::{RegisteredModel, find, models};
-pub use tile::{
-    EvalTile, LANES, SampleTile, Tiles, Varied, Vectors, VectorsMut, is_above, is_uniform, is_unit,
-};
-pub(crate) use tiles::{Found, Given};
 pub use values::{Bounds, Values};
 pub(crate) use varying::MAX_VARYING;

@@ -1,46 +1,77 @@
-//! The precisions that compiled models exist in.
+//! The precisions that BSDFs exist in.
 
-use super::mixture::{Mixture, Surfaces};
-use super::tile::Tiles;
+use super::kernel::Kernel;
+use super::values::Values;
+use crate::error::Error;
 use crate::film::Film;
-use crate::num::{Lane, Rgb};
+use crate::num::{Lane, Level, Rgb, Work};
 
-/// One number at a time, so that code may branch: `f32` for renderers, `f64` as the oracle.
+/// A model's compiler in one precision.
+pub type Prepare<T> = fn(&Values<T>) -> Result<Box<dyn Kernel<T>>, Error>;
+
+/// `f32` with `glam::Vec3` for renderers, `f64` with `glam::DVec3` as the oracle.
 pub trait Precision: Lane<Mask = bool, Scalar = Self> + PartialOrd + Default + Into<f64> {
+    /// The public vector type.
+    type Vector: Into<[Self; 3]> + From<[Self; 3]> + Copy;
+
     /// Rounded to single precision, in which films are evaluated.
     fn to_f32(self) -> f32;
 
-    /// [`Film::reflectance`], as many at once as there are.
+    /// Does the work of a batch at a level. Double precision has no batches: it does nothing.
+    fn dispatch<W: Work<Self, Output = ()>>(level: Level, work: W);
+
+    /// [`Film::reflectance`] in lanes.
     fn reflectance<L: Lane<Scalar = Self>>(film: &Film, cos_theta: L, thickness_nm: L) -> Rgb<L>;
 
-    /// The model as one that takes tiles, if they exist in this precision.
-    fn tiles<M: Surfaces<Self>>(model: &Mixture<M>) -> Option<&dyn Tiles>;
+    /// Calls the compiler of this precision.
+    #[doc(hidden)]
+    fn prepare(
+        single: impl FnOnce() -> Prepare<f32>,
+        double: impl FnOnce() -> Prepare<f64>,
+        values: &Values<Self>,
+    ) -> Result<Box<dyn Kernel<Self>>, Error>;
 }
 
 impl Precision for f32 {
+    type Vector = glam::Vec3;
+
     #[inline(always)]
     fn to_f32(self) -> f32 {
         self
     }
 
     #[inline(always)]
+    fn dispatch<W: Work<f32, Output = ()>>(level: Level, work: W) {
+        level.run(work);
+    }
+
+    #[inline(always)]
     fn reflectance<L: Lane<Scalar = f32>>(film: &Film, cos_theta: L, thickness_nm: L) -> Rgb<L> {
-        L::apart(
+        L::outlined(
             #[inline(always)]
             || film.reflectance_lanes(cos_theta, thickness_nm),
         )
     }
 
-    fn tiles<M: Surfaces<f32>>(model: &Mixture<M>) -> Option<&dyn Tiles> {
-        Some(model)
+    fn prepare(
+        single: impl FnOnce() -> Prepare<f32>,
+        _double: impl FnOnce() -> Prepare<f64>,
+        values: &Values<f32>,
+    ) -> Result<Box<dyn Kernel<f32>>, Error> {
+        single()(values)
     }
 }
 
 impl Precision for f64 {
+    type Vector = glam::DVec3;
+
     #[inline(always)]
     fn to_f32(self) -> f32 {
         self as f32
     }
+
+    #[inline(always)]
+    fn dispatch<W: Work<f64, Output = ()>>(_level: Level, _work: W) {}
 
     #[inline(always)]
     fn reflectance<L: Lane<Scalar = f64>>(film: &Film, cos_theta: L, thickness_nm: L) -> Rgb<L> {
@@ -53,7 +84,11 @@ impl Precision for f64 {
             .map(|channel| L::new(f64::from(channel)))
     }
 
-    fn tiles<M: Surfaces<f64>>(_model: &Mixture<M>) -> Option<&dyn Tiles> {
-        None
+    fn prepare(
+        _single: impl FnOnce() -> Prepare<f32>,
+        double: impl FnOnce() -> Prepare<f64>,
+        values: &Values<f64>,
+    ) -> Result<Box<dyn Kernel<f64>>, Error> {
+        double()(values)
     }
 }

@@ -1,7 +1,7 @@
 //! The list of models. A new model adds its line here and nothing anywhere else.
 
 use super::info::{LobeInfo, ModelInfo};
-use super::model::{Compiled, Model};
+use super::model::Model;
 use super::models::disney_diffuse::DisneyDiffuse;
 use super::models::film::ThinFilm;
 use super::models::lambert::Lambert;
@@ -10,22 +10,33 @@ use super::models::metallic_roughness::MetallicRoughness;
 use super::models::microfacet::Microfacet;
 use super::models::oren_nayar::OrenNayar;
 use super::models::phong::Phong;
+use super::precision::Prepare;
 use super::values::{Bounds, Values};
 use crate::error::Error;
 
-static MODELS: [RegisteredModel; 8] = [
-    RegisteredModel::of::<Lambert>(),
-    RegisteredModel::of::<OrenNayar>(),
-    RegisteredModel::of::<DisneyDiffuse>(),
-    RegisteredModel::of::<Phong>(),
-    RegisteredModel::of::<Layered>(),
-    RegisteredModel::of::<ThinFilm>(),
-    RegisteredModel::of::<Microfacet>(),
-    RegisteredModel::of::<MetallicRoughness>(),
+/// Lists the models. The compilers in double precision stand apart, so that a library that never uses them
+/// does not contain them.
+macro_rules! registry {
+    ($($model:ty),* $(,)?) => {
+        static MODELS: [RegisteredModel; [$(stringify!($model)),*].len()] =
+            [$(RegisteredModel::of::<$model>()),*];
+        static ORACLES: [Prepare<f64>; MODELS.len()] = [$(<$model>::prepare::<f64>),*];
+    };
+}
+
+registry![
+    Lambert,
+    OrenNayar,
+    DisneyDiffuse,
+    Phong,
+    Layered,
+    ThinFilm,
+    Microfacet,
+    MetallicRoughness,
 ];
 
 /// All models.
-pub fn models() -> &'static [RegisteredModel] {
+pub const fn models() -> &'static [RegisteredModel] {
     &MODELS
 }
 
@@ -46,9 +57,7 @@ pub struct RegisteredModel {
     /// [`Model::check`].
     pub check: fn(&Bounds) -> Result<(), Error>,
     /// [`Model::prepare`] in single precision.
-    pub prepare_f32: fn(&Values<f32>) -> Compiled<f32>,
-    /// [`Model::prepare`] in double precision: the oracle.
-    pub prepare_f64: fn(&Values<f64>) -> Compiled<f64>,
+    pub prepare: Prepare<f32>,
 }
 
 impl RegisteredModel {
@@ -58,13 +67,19 @@ impl RegisteredModel {
             needs_film: M::needs_film,
             lobes: M::lobes,
             check: M::check,
-            prepare_f32: M::prepare,
-            prepare_f64: M::prepare,
+            prepare: M::prepare,
         }
+    }
+
+    /// [`Model::prepare`] in double precision: the oracle.
+    pub fn oracle(&self) -> Prepare<f64> {
+        let is_self = |model: &RegisteredModel| std::ptr::eq(model, self);
+        let index = MODELS.iter().position(is_self);
+        ORACLES[index.expect("all models are in the list")]
     }
 
     /// The model's name.
     pub fn name(&self) -> &'static str {
-        self.info.name.to_str().unwrap_or_default()
+        self.info.name
     }
 }

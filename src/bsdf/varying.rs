@@ -1,49 +1,83 @@
-//! Parameters given per call: from a flat list of numbers to overrides, clamped and checked.
+//! Parameters given per call: reading them, and keeping them in their ranges.
 
-use super::Scalar;
-use crate::bsdf::{ModelInfo, Override, ParamKind, Values, Varied};
-use crate::num::{Real, Vec3};
+use super::info::{ModelInfo, ParamKind};
+use super::values::Values;
+use crate::num::{Lane, Real, Vec3, each};
 
-/// More than any model's parameters; so that what varies fits on the stack.
+/// The most parameters of a BSDF that may vary, so that their values fit on the stack.
 pub(crate) const MAX_VARYING: usize = 16;
 
-/// How to read one varying parameter.
-struct Slot<T> {
-    param: usize,
-    components: usize,
+/// A declared range: index of the parameter, least and greatest value of each component.
+#[derive(Clone, Copy, Debug)]
+pub struct VaryingRange {
+    /// Index of the parameter.
+    pub param: usize,
+    /// Least value of each component; 0 for a direction.
+    pub min: f32,
+    /// Greatest value of each component; 0 for a direction.
+    pub max: f32,
+}
+
+/// How one varying parameter is read.
+#[derive(Clone, Copy, Debug)]
+pub struct VaryingSlot<T> {
+    /// Index of the parameter.
+    pub param: usize,
+    /// 1 or 3 numbers.
+    pub components: usize,
+    /// The number of its first component among all.
+    first: usize,
     is_direction: bool,
     min: T,
     max: T,
 }
 
 /// The varying parameters of a BSDF, in declared order.
-pub(super) struct Varying<T> {
-    slots: Box<[Slot<T>]>,
+pub(super) struct VaryingParams<T> {
+    slots: Box<[VaryingSlot<T>]>,
     defaults: Box<[T]>,
 }
 
-/// A declared range: parameter index, least and greatest value of each component.
+/// The values of the varying parameters, for one element or many; without slots, no value is given and
+/// every parameter keeps the description's.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Range {
-    pub param: usize,
-    pub min: f32,
-    pub max: f32,
+pub struct VaryingValues<'a, T> {
+    slots: &'a [VaryingSlot<T>],
+    numbers: VaryingNumbers<'a, T>,
+    /// The element that counts as the first.
+    first: usize,
 }
 
-impl<T: Scalar> Varying<T> {
-    pub fn new(info: &ModelInfo, values: &Values<T>, ranges: &[Range]) -> Self {
+/// The numbers of all parameters, one parameter after another.
+#[derive(Clone, Copy, Debug)]
+pub enum VaryingNumbers<'a, T> {
+    /// Of one element.
+    One(&'a [T]),
+    /// Of many elements: one column for each number.
+    Many(&'a [&'a [T]]),
+}
+
+impl<T: Lane<Scalar = T>> VaryingParams<T> {
+    pub fn new(info: &ModelInfo, values: &Values<T>, ranges: &[VaryingRange]) -> Self {
         assert!(
             ranges.len() <= MAX_VARYING,
             "a model with more than {MAX_VARYING} parameters"
         );
-        let slots = ranges.iter().map(|range| Slot {
-            param: range.param,
-            components: info.params[range.param].components(),
-            is_direction: matches!(info.params[range.param].kind, ParamKind::Direction { .. }),
-            min: T::new(f64::from(range.min)),
-            max: T::new(f64::from(range.max)),
+        let mut first = 0;
+        let slots = ranges.iter().map(|range| {
+            let param = &info.params[range.param];
+            let slot = VaryingSlot {
+                param: range.param,
+                components: param.components(),
+                first,
+                is_direction: matches!(param.kind, ParamKind::Direction { .. }),
+                min: T::new(f64::from(range.min)),
+                max: T::new(f64::from(range.max)),
+            };
+            first += slot.components;
+            slot
         });
-        let slots: Box<[Slot<T>]> = slots.collect();
+        let slots: Box<[VaryingSlot<T>]> = slots.collect();
         let defaults = slots
             .iter()
             .flat_map(|slot| values.rgb(slot.param).into_iter().take(slot.components))
@@ -51,91 +85,107 @@ impl<T: Scalar> Varying<T> {
         Self { slots, defaults }
     }
 
-    pub fn count(&self) -> usize {
-        self.slots.len()
-    }
-
-    pub fn floats(&self) -> usize {
-        self.defaults.len()
-    }
-
+    /// The description's values, one parameter after another.
     pub fn defaults(&self) -> &[T] {
         &self.defaults
     }
 
-    pub fn components(&self) -> impl Iterator<Item = usize> + '_ {
-        self.slots.iter().map(|slot| slot.components)
+    /// The values of a single call; `None` if there are too many numbers or too few.
+    #[inline(always)]
+    pub fn of_one<'a>(&'a self, numbers: Option<&'a [T]>) -> Option<VaryingValues<'a, T>> {
+        let Some(numbers) = numbers else {
+            return Some(VaryingValues::none());
+        };
+        (numbers.len() == self.defaults.len()).then_some(VaryingValues {
+            slots: &self.slots,
+            numbers: VaryingNumbers::One(numbers),
+            first: 0,
+        })
     }
 
-    /// Calls `f` with the overrides that `varying` stands for; `None` if a value is unusable.
-    #[inline(always)]
-    pub fn with<R>(&self, varying: Option<&[T]>, f: impl FnOnce(&[Override<T>]) -> R) -> Option<R> {
-        let Some(mut rest) = varying.filter(|_| !self.slots.is_empty()) else {
-            return Some(f(&[]));
-        };
-        let unset = Override {
-            param: 0,
-            value: [T::new(0.0); 3],
-        };
-        let mut overrides = [unset; MAX_VARYING];
-        for (slot, target) in self.slots.iter().zip(&mut overrides) {
-            let (numbers, after) = rest.split_at_checked(slot.components)?;
-            *target = Override {
-                param: slot.param,
-                value: slot.read(numbers)?,
-            };
-            rest = after;
+    /// The values of many elements: one column for each number, or no columns.
+    pub fn of_many<'a>(&'a self, columns: &'a [&'a [T]]) -> VaryingValues<'a, T> {
+        if columns.is_empty() {
+            return VaryingValues::none();
         }
-        rest.is_empty().then(|| f(&overrides[..self.slots.len()]))
+        assert_eq!(columns.len(), self.defaults.len());
+        VaryingValues {
+            slots: &self.slots,
+            numbers: VaryingNumbers::Many(columns),
+            first: 0,
+        }
     }
 }
 
-impl<T: Scalar> Slot<T> {
-    /// Clamps numbers to the declared range, normalises directions; `None` where that is impossible.
+impl<T: Lane<Scalar = T>> VaryingValues<'_, T> {
+    /// No values are given.
     #[inline(always)]
-    fn read(&self, numbers: &[T]) -> Option<[T; 3]> {
-        let mut value = [numbers[0]; 3];
-        value[..numbers.len()].copy_from_slice(numbers);
-        if !value.into_iter().all(Real::is_finite) {
-            return None;
+    pub fn none() -> Self {
+        Self {
+            slots: &[],
+            numbers: VaryingNumbers::One(&[]),
+            first: 0,
         }
-        if self.is_direction {
-            return upward(value);
-        }
-        Some(value.map(|number| Real::min(Real::max(number, self.min), self.max)))
     }
-}
 
-impl Varying<f32> {
-    /// The parameters of a tile: `all`, filled as far as needed. Of a scalar the one slice stands for all
-    /// components.
-    pub fn of_tile<'a, 'b>(
+    /// The values of one element.
+    pub fn element(&self, element: usize) -> Self {
+        Self {
+            first: self.first + element,
+            ..*self
+        }
+    }
+
+    /// Whether no value is given.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.slots.is_empty()
+    }
+
+    /// Passes the values of `L::COUNT` elements from one on to `vary`, with the index of each parameter:
+    /// numbers clamped to the declared range, directions normalised, scalars in all three places. Returns
+    /// which elements are usable: those whose numbers are finite and whose directions have z > 0.
+    #[inline(always)]
+    pub fn clamp_inputs<L: Lane<Scalar = T>>(
         &self,
-        varying: &[&'a [f32]],
-        all: &'b mut [Varied<'a>; MAX_VARYING],
-    ) -> &'b [Varied<'a>] {
-        let mut rest = varying;
-        let mut count = 0;
-        for (slot, varied) in self.slots.iter().zip(all.iter_mut()) {
-            let Some((numbers, after)) = rest.split_at_checked(slot.components) else {
-                break;
+        from: usize,
+        mut vary: impl FnMut(usize, [L; 3]),
+    ) -> L::Mask {
+        let mut is_usable = L::new(0.0).equals(L::new(0.0));
+        for slot in self.slots {
+            let value = self.numbers.load::<L>(slot, self.first + from);
+            let [x, y, z] = value;
+            is_usable = is_usable & x.is_finite() & y.is_finite() & z.is_finite();
+            let value = if slot.is_direction {
+                let (unit, is_upward) = Vec3::from_array(value).upward();
+                is_usable = is_usable & is_upward;
+                unit.to_array()
+            } else {
+                let [min, max] = [L::splat(slot.min), L::splat(slot.max)];
+                each!(value, |number| number.max(min).min(max))
             };
-            let last = slot.components - 1;
-            *varied = Varied {
-                param: slot.param,
-                value: [0, 1, 2].map(|c| numbers[last.min(c)]),
-                range: [slot.min, slot.max],
-                is_direction: slot.is_direction,
-            };
-            rest = after;
-            count += 1;
+            vary(slot.param, value);
         }
-        &all[..count]
+        is_usable
+    }
+}
+
+impl<T: Lane<Scalar = T>> VaryingNumbers<'_, T> {
+    #[inline(always)]
+    fn load<L: Lane<Scalar = T>>(&self, slot: &VaryingSlot<T>, from: usize) -> [L; 3] {
+        let number = |c: usize| {
+            let k = slot.first + c.min(slot.components - 1);
+            match self {
+                Self::One(numbers) => L::load(&numbers[k..=k]),
+                Self::Many(columns) => L::load(&columns[k][from..from + L::COUNT]),
+            }
+        };
+        [number(0), number(1), number(2)]
     }
 }
 
 /// A vector of any length with z > 0, normalised.
-pub(super) fn upward<T: Scalar>(value: [T; 3]) -> Option<[T; 3]> {
+pub(super) fn upward<T: Real<Mask = bool>>(value: [T; 3]) -> Option<[T; 3]> {
     let (unit, is_upward) = Vec3::from_array(value).upward();
     is_upward.then(|| unit.to_array())
 }

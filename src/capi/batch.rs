@@ -1,7 +1,9 @@
 //! Batch calls.
 
-use super::args::{PellicleEvalBatchArgs, PellicleFilmBatchArgs, PellicleSampleBatchArgs};
-use super::boundary::{guard, read_growing, slice};
+use super::boundary::{elements, guard, read_growing};
+use super::bsdf_types::{PellicleEvalBatchArgs, PellicleSampleBatchArgs};
+use super::call::call_options;
+use super::film_types::PellicleFilmBatchArgs;
 use super::types::{
     PellicleBsdf, PellicleConstView, PellicleFilm, PellicleStatus, PellicleUintView, PellicleView,
 };
@@ -9,16 +11,17 @@ use super::{bsdf, film};
 use crate::batch::{self, ConstView, EvalArgs, FilmArgs, SampleArgs, View};
 use crate::bsdf::MAX_VARYING;
 use crate::error::Error;
-use crate::num::Level;
 use libc::size_t;
 
-/// pellicle_bsdf_eval() for every element of strided arrays, equal to it bit for bit. `value` or
-/// `pdf` may have data NULL if not wanted, not both. An output may be an input's own memory with
-/// the same strides, otherwise outputs must not overlap inputs or each other.
+/// Calls pellicle_bsdf_eval() for every element of strided arrays; the results are those of single calls, bit
+/// for bit. An output with data NULL is not wanted; at least one must be.
+///
+/// An output may be an input's own memory with the same strides. Any other overlap of an output with an
+/// input or another output is undefined behaviour.
 ///
 /// # Safety
-/// `bsdf` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, and every
-/// address that its views stand for readable or writable.
+/// `bsdf` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, `args->call` good for
+/// its size, and every address that the views stand for readable or writable.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
     bsdf: *const PellicleBsdf,
@@ -28,23 +31,27 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
     guard(|| {
         // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
         unsafe {
-            let bsdf = bsdf::handle(bsdf)?;
+            let bsdf = &bsdf::handle(bsdf)?.bsdf;
             let args = read_growing(args, args_size, "args")?;
+            let mut room = [NO_VIEW; MAX_VARYING];
             let args = EvalArgs {
                 count: args.count,
+                call: call_options(args.call)?,
                 wo: args.wo.into(),
                 wi: args.wi.into(),
-                varying: varying_views(args.varying, args.varying_count)?,
+                varying: varying_views(args.varying, args.varying_count, &mut room)?,
                 value: args.value.into(),
                 pdf: args.pdf.into(),
+                pdf_reverse: args.pdf_reverse.into(),
             };
-            batch::eval(bsdf, &args, Level::chosen())
+            batch::eval(bsdf, &args, bsdf.level())
         }
     })
 }
 
-/// pellicle_bsdf_sample() for every element of strided arrays, equal to it bit for bit. Outputs with
-/// data NULL are not wanted; at least one must be. Overlap as in pellicle_bsdf_eval_batch().
+/// Calls pellicle_bsdf_sample() for every element of strided arrays; the results are those of single calls,
+/// bit for bit. An output with data NULL is not wanted; at least one must be. Overlap is as for
+/// pellicle_bsdf_eval_batch().
 ///
 /// # Safety
 /// As for pellicle_bsdf_eval_batch().
@@ -57,27 +64,30 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
     guard(|| {
         // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
         unsafe {
-            let bsdf = bsdf::handle(bsdf)?;
+            let bsdf = &bsdf::handle(bsdf)?.bsdf;
             let args = read_growing(args, args_size, "args")?;
+            let mut room = [NO_VIEW; MAX_VARYING];
             let args = SampleArgs {
                 count: args.count,
+                call: call_options(args.call)?,
                 wo: args.wo.into(),
                 u: args.u.into(),
-                varying: varying_views(args.varying, args.varying_count)?,
+                varying: varying_views(args.varying, args.varying_count, &mut room)?,
                 wi: args.wi.into(),
                 pdf: args.pdf.into(),
                 weight: args.weight.into(),
                 eta: args.eta.into(),
                 flags: args.flags.into(),
                 lobe: args.lobe.into(),
+                lobe_probability: args.lobe_probability.into(),
             };
-            batch::sample(bsdf, &args, Level::chosen())
+            batch::sample(bsdf, &args, bsdf.level())
         }
     })
 }
 
-/// pellicle_film_reflectance() for every element of strided arrays, equal to it bit for bit. Overlap
-/// as in pellicle_bsdf_eval_batch().
+/// Calls pellicle_film_reflectance() for every element of strided arrays; the results are those of single
+/// calls, bit for bit. Overlap is as for pellicle_bsdf_eval_batch().
 ///
 /// # Safety
 /// `film` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, and every
@@ -91,7 +101,7 @@ pub unsafe extern "C" fn pellicle_film_reflectance_batch(
     guard(|| {
         // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
         unsafe {
-            let film = film::handle(film)?;
+            let handle = film::handle(film)?;
             let args = read_growing(args, args_size, "args")?;
             let args = FilmArgs {
                 count: args.count,
@@ -99,24 +109,34 @@ pub unsafe extern "C" fn pellicle_film_reflectance_batch(
                 thickness_nm: args.thickness_nm.into(),
                 reflectance: args.reflectance.into(),
             };
-            batch::film_reflectance(film, &args, Level::chosen())
+            batch::film_reflectance(&handle.film, &args, handle.level)
         }
     })
 }
 
-unsafe fn varying_views<'a>(
+const NO_VIEW: ConstView = ConstView {
+    data: std::ptr::null(),
+    element_stride: 0,
+    component_stride: 0,
+};
+
+/// Copies the views of varying parameters, which may lie at any alignment.
+unsafe fn varying_views(
     varying: *const PellicleConstView,
     count: usize,
-) -> Result<&'a [ConstView], Error> {
+    room: &mut [ConstView; MAX_VARYING],
+) -> Result<&[ConstView], Error> {
     if count > MAX_VARYING {
         return Err(Error::invalid(format!(
             "args->varying_count = {count} exceeds {MAX_VARYING}"
         )));
     }
-    // Both views are `repr(C)` and have the same fields.
-    const _: () = assert!(size_of::<PellicleConstView>() == size_of::<ConstView>());
     // SAFETY: the caller vouches for `count` views.
-    unsafe { slice(varying.cast(), count, "args->varying") }
+    let views = unsafe { elements(varying, count, "args->varying")? };
+    for (target, view) in room.iter_mut().zip(views) {
+        *target = view.into();
+    }
+    Ok(&room[..count])
 }
 
 impl From<PellicleConstView> for ConstView {

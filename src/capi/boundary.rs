@@ -11,7 +11,6 @@ use std::any::Any;
 use std::ffi::CStr;
 use std::mem::MaybeUninit;
 use std::panic::{self, AssertUnwindSafe};
-use std::sync::Once;
 
 /// Runs an entry point. A failure is reported by status and message; so is a panic, which ends here.
 #[inline(always)]
@@ -25,26 +24,6 @@ pub(super) fn guard(body: impl FnOnce() -> Result<(), Error>) -> PellicleStatus 
         Ok(Err(error)) => report(&error),
         Err(payload) => report_panic(&*payload),
     }
-}
-
-/// Keeps panics of this crate from printing. The standard library prints a line for every panic,
-/// which a shading library must not; the first creation installs a hook that is quiet about panics
-/// raised in this crate's sources and passes all others on, such as those of a Rust program that
-/// links the library.
-pub(super) fn quiet_panics() {
-    static QUIET: Once = Once::new();
-    QUIET.call_once(|| {
-        let sources = file!().trim_end_matches("capi/boundary.rs");
-        let previous = panic::take_hook();
-        panic::set_hook(Box::new(move |info| {
-            if !info
-                .location()
-                .is_some_and(|place| place.file().starts_with(sources))
-            {
-                previous(info);
-            }
-        }));
-    });
 }
 
 #[cold]
@@ -66,7 +45,7 @@ fn report_panic(payload: &(dyn Any + Send)) -> PellicleStatus {
     PELLICLE_INTERNAL
 }
 
-/// The object behind a pointer to read.
+/// The object behind a handle, or NULL refused.
 #[inline(always)]
 pub(super) unsafe fn reference<'a, T>(
     pointer: *const T,
@@ -91,7 +70,7 @@ pub(super) unsafe fn numbers<const N: usize>(
 
 /// Refuses NULL for an output.
 #[inline(always)]
-pub(super) fn require<T>(pointer: *const T, name: &'static str) -> Result<(), Error> {
+pub(super) fn require<T>(pointer: *const T, name: &str) -> Result<(), Error> {
     if pointer.is_null() {
         Err(null(name))
     } else {
@@ -99,43 +78,39 @@ pub(super) fn require<T>(pointer: *const T, name: &'static str) -> Result<(), Er
     }
 }
 
-/// The whole of a call with that argument NULL.
 #[cold]
 #[inline(never)]
-pub(super) fn refuse_null(name: &'static str) -> PellicleStatus {
-    guard(|| Err(null(name)))
-}
-
-#[cold]
-#[inline(never)]
-fn null(name: &'static str) -> Error {
+fn null(name: &str) -> Error {
     Error::invalid(format!("{name} is NULL"))
 }
 
-/// A slice given by pointer and count; NULL is allowed for a count of 0.
-pub(super) unsafe fn slice<'a, T>(
+/// Elements given by pointer and count, at any alignment; NULL is allowed for a count of 0.
+///
+/// # Safety
+/// `pointer` must be NULL or good for `count` elements, for as long as the iterator is used.
+pub(super) unsafe fn elements<T: Copy>(
     pointer: *const T,
     count: usize,
-    name: &'static str,
-) -> Result<&'a [T], Error> {
-    if count == 0 {
-        return Ok(&[]);
-    }
-    if pointer.is_null() {
+    name: &str,
+) -> Result<impl ExactSizeIterator<Item = T> + Clone, Error> {
+    if count > 0 && pointer.is_null() {
         return Err(Error::invalid(format!(
             "{name} is NULL but its count is {count}"
         )));
     }
-    if count > isize::MAX as usize / size_of::<T>().max(1) {
+    if count > isize::MAX as usize / size_of::<T>() {
         return Err(Error::invalid(format!(
             "{name} has an impossible count: {count}"
         )));
     }
     // SAFETY: not NULL, no overflow; the caller vouches for `count` elements.
-    Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
+    Ok((0..count).map(move |i| unsafe { pointer.add(i).read_unaligned() }))
 }
 
 /// A NUL-terminated string that must be UTF-8.
+///
+/// # Safety
+/// `pointer` must be NULL (refused) or NUL-terminated.
 pub(super) unsafe fn string(pointer: *const c_char, name: &str) -> Result<String, Error> {
     if pointer.is_null() {
         return Err(Error::invalid(format!("{name} is NULL")));
@@ -147,6 +122,21 @@ pub(super) unsafe fn string(pointer: *const c_char, name: &str) -> Result<String
         .map_err(|_| Error::invalid(format!("{name} is not valid UTF-8")))
 }
 
+/// The text of a string that may be NULL.
+///
+/// # Safety
+/// As for [`string`].
+pub(super) unsafe fn optional_string(
+    pointer: *const c_char,
+    name: &str,
+) -> Result<Option<String>, Error> {
+    if pointer.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: not NULL; the caller vouches for the terminator.
+    unsafe { string(pointer, name) }.map(Some)
+}
+
 /// Reads a struct that grows: a shorter one is filled up with zeros, the tail of a longer one must
 /// be zero.
 ///
@@ -155,7 +145,7 @@ pub(super) unsafe fn string(pointer: *const c_char, name: &str) -> Result<String
 pub(super) unsafe fn read_growing<T: Copy>(
     pointer: *const T,
     size: usize,
-    name: &'static str,
+    name: &str,
 ) -> Result<T, Error> {
     require(pointer, name)?;
     check_size::<T>(size, name)?;
@@ -212,10 +202,10 @@ pub(super) fn check_output<T>(
     check_size::<T>(size, name)
 }
 
-/// Refuses what no version of a struct has for a size: no bytes, far too many (an uninitialised size, a
-/// swapped argument), or a number of them that its alignment does not divide: that would cut a pointer in two.
+/// Refuses a size that no version of a struct has: no bytes, far too many (an uninitialised size or a swapped
+/// argument), or a number that is no multiple of its alignment, which would cut a pointer in two.
 #[inline(always)]
-fn check_size<T>(size: usize, name: &'static str) -> Result<(), Error> {
+pub(super) fn check_size<T>(size: usize, name: &str) -> Result<(), Error> {
     const GREATEST: usize = 1 << 16;
     if size == 0 || size > GREATEST || !size.is_multiple_of(align_of::<T>()) {
         return Err(wrong_size(size, name));
@@ -225,9 +215,9 @@ fn check_size<T>(size: usize, name: &'static str) -> Result<(), Error> {
 
 #[cold]
 #[inline(never)]
-fn wrong_size(size: usize, name: &'static str) -> Error {
+fn wrong_size(size: usize, name: &str) -> Error {
     Error::invalid(format!(
-        "{name} has a size of {size} bytes: pass its sizeof"
+        "{name} has a size of {size} bytes: give its sizeof"
     ))
 }
 
@@ -239,7 +229,6 @@ mod tests {
     /// Guards the boundary: a panic inside must come out as a status, with its text as the message.
     #[test]
     fn a_panic_becomes_internal() {
-        quiet_panics();
         let status = guard(|| panic!("deliberate {}", 42));
         assert_eq!(status, Status::Internal as PellicleStatus);
         // SAFETY: the message is NUL-terminated and lives until this thread's next failure.

@@ -1,25 +1,41 @@
-//! BSDF handles and single calls.
+//! BSDF handles: making, sharing and asking.
 
 use super::boundary::{
-    check_output, guard, numbers, quiet_panics, read_growing, reference, require, slice, string,
+    check_output, elements, guard, optional_string, read_growing, reference, require, string,
     write_growing,
 };
-use super::film;
-use super::types::{
-    PellicleBsdf, PellicleBsdfDesc, PellicleBsdfInfo, PellicleParam, PellicleSample, PellicleStatus,
+use super::bsdf_types::{
+    PellicleBsdfDesc, PellicleBsdfInfo, PellicleLobeInfo, PellicleParam, PellicleVaryingInfo,
 };
-use crate::bsdf::{Bsdf, Description};
+use super::film;
+use super::text::text;
+use super::types::{PELLICLE_KIND_DIRECTION, PELLICLE_KIND_NUMBER, PellicleBsdf, PellicleStatus};
+use crate::bsdf::{Bsdf, Description, ParamKind};
 use crate::error::Error;
-use crate::num::Level;
 use libc::size_t;
+use std::ffi::CString;
 use std::sync::Arc;
 
+/// What a handle points to: the BSDF, and its text for C callers.
+pub(super) struct BsdfHandle {
+    pub bsdf: Bsdf,
+    plan: CString,
+}
+
+/// A handle with one reference. Hidden: for tests that make a BSDF in Rust and call it as C does.
+#[doc(hidden)]
+pub fn bsdf_handle(bsdf: Bsdf) -> *mut PellicleBsdf {
+    let plan = CString::new(bsdf.plan()).unwrap_or_default();
+    let handle = Arc::new(BsdfHandle { bsdf, plan });
+    Arc::into_raw(handle).cast_mut().cast()
+}
+
 /// Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
-/// `*bsdf`.
+/// `*bsdf`. Call it when loading, not when shading: @BSDF_TIME@.
 ///
-/// Fails with UNKNOWN_NAME (model, parameter, choice), OUT_OF_RANGE (numbers, ranges, sums),
-/// INVALID_ARGUMENT (NULL, wrong count, something given twice, a film too many or too few) or
-/// UNSUPPORTED (a parameter that cannot vary, fields of a later version); `*bsdf` is then untouched.
+/// Fails with UNKNOWN_NAME (model, parameter, choice, level), OUT_OF_RANGE (numbers, ranges, sums),
+/// INVALID_ARGUMENT (NULL, a wrong count or size, something given twice, a film that is missing or not used)
+/// or UNSUPPORTED (a parameter that cannot vary, fields of a later version); `*bsdf` is then untouched.
 ///
 /// # Safety
 /// `desc` must be good for `desc_size` bytes, its pointers for their counts, its film NULL or a live
@@ -30,48 +46,47 @@ pub unsafe extern "C" fn pellicle_bsdf_create(
     desc_size: size_t,
     bsdf: *mut *mut PellicleBsdf,
 ) -> PellicleStatus {
-    quiet_panics();
-    // Looked up here, as evaluation must not allocate.
-    Level::chosen();
     guard(|| {
         require(bsdf, "bsdf")?;
-        // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is
-        // a valid PellicleBsdfDesc.
-        let description = unsafe { description(&read_growing(desc, desc_size, "desc")?)? };
-        let handle = Arc::new(Bsdf::<f32>::new(&description)?);
-        // SAFETY: not NULL, and the caller vouches that it is writable.
-        unsafe { *bsdf = Arc::into_raw(handle).cast_mut().cast() };
+        // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is a valid
+        // PellicleBsdfDesc.
+        unsafe {
+            let desc = read_growing(desc, desc_size, "desc")?;
+            let handle = bsdf_handle(Bsdf::new(&description(&desc)?)?);
+            bsdf.write_unaligned(handle);
+        }
         Ok(())
     })
 }
 
-/// Adds a reference to a BSDF: one more pellicle_bsdf_release() is then due.
+/// Adds a reference to a BSDF: one more pellicle_bsdf_release() is then due. NULL does nothing.
 ///
 /// # Safety
-/// `bsdf` must be NULL (refused) or a handle that has not been released.
+/// `bsdf` must be NULL or a live handle.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn pellicle_bsdf_retain(bsdf: *mut PellicleBsdf) -> PellicleStatus {
+pub unsafe extern "C" fn pellicle_bsdf_retain(bsdf: *const PellicleBsdf) {
     guard(|| {
-        require(bsdf, "bsdf")?;
-        // SAFETY: a live handle came from Arc::into_raw.
-        unsafe { Arc::increment_strong_count(bsdf.cast_const().cast::<Bsdf>()) };
+        if !bsdf.is_null() {
+            // SAFETY: a live handle came from Arc::into_raw.
+            unsafe { Arc::increment_strong_count(bsdf.cast::<BsdfHandle>()) };
+        }
         Ok(())
-    })
+    });
 }
 
 /// Gives up a reference to a BSDF; the last one frees it. NULL does nothing.
 ///
 /// # Safety
-/// `bsdf` must be NULL or a handle of which a reference is owned.
+/// `bsdf` must be NULL or a handle of which the caller owns a reference.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn pellicle_bsdf_release(bsdf: *mut PellicleBsdf) {
-    if !bsdf.is_null() {
-        guard(|| {
+pub unsafe extern "C" fn pellicle_bsdf_release(bsdf: *const PellicleBsdf) {
+    guard(|| {
+        if !bsdf.is_null() {
             // SAFETY: a live handle came from Arc::into_raw.
-            unsafe { Arc::decrement_strong_count(bsdf.cast_const().cast::<Bsdf>()) };
-            Ok(())
-        });
-    }
+            unsafe { Arc::decrement_strong_count(bsdf.cast::<BsdfHandle>()) };
+        }
+        Ok(())
+    });
 }
 
 /// Tells what a BSDF is.
@@ -88,15 +103,15 @@ pub unsafe extern "C" fn pellicle_bsdf_info(
         check_output(info, info_size, "info")?;
         // SAFETY: the caller vouches for the handle and for `info_size` bytes.
         unsafe {
-            let bsdf = handle(bsdf)?;
-            let model = bsdf.info();
+            let handle = handle(bsdf)?;
+            let bsdf = &handle.bsdf;
             let filled = PellicleBsdfInfo {
-                model: model.name.as_ptr(),
+                model: text(bsdf.info().name),
                 flags: bsdf.flags().0,
                 varying_count: bsdf.varying_count() as u32,
                 varying_floats: bsdf.varying_floats() as u32,
                 lobe_count: bsdf.lobe_infos().len() as u32,
-                plan: bsdf.plan().as_ptr(),
+                plan: handle.plan.as_ptr(),
             };
             write_growing(info, info_size, &filled);
         }
@@ -104,123 +119,96 @@ pub unsafe extern "C" fn pellicle_bsdf_info(
     })
 }
 
-/// Evaluates f(wo, wi) |wi.z| and the density with which pellicle_bsdf_sample() finds wi.
-///
-/// `wo`, `wi`: 3 numbers each. `varying`: PellicleBsdfInfo::varying_floats numbers, the components
-/// of the varying parameters one after another in declared order; NULL takes the values from the
-/// description. `value`: 3 numbers; `pdf`: one; either may be NULL if not wanted, not both.
+/// Describes the varying parameter with number `varying`, in declared order, below
+/// PellicleBsdfInfo::varying_count; else OUT_OF_RANGE.
 ///
 /// # Safety
-/// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated.
+/// `bsdf` must be NULL (refused) or a live handle, `info` good for `info_size` bytes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn pellicle_bsdf_eval(
+pub unsafe extern "C" fn pellicle_bsdf_varying(
     bsdf: *const PellicleBsdf,
-    wo: *const f32,
-    wi: *const f32,
-    varying: *const f32,
-    value: *mut f32,
-    pdf: *mut f32,
+    varying: size_t,
+    info: *mut PellicleVaryingInfo,
+    info_size: size_t,
 ) -> PellicleStatus {
     guard(|| {
-        // SAFETY: the caller vouches for the handle and the lengths of the arrays.
+        check_output(info, info_size, "info")?;
+        // SAFETY: the caller vouches for the handle and for `info_size` bytes.
         unsafe {
-            let bsdf = handle(bsdf)?;
-            let wo = numbers::<3>(wo, "wo")?.into();
-            let wi = numbers::<3>(wi, "wi")?.into();
-            let varying = varying_numbers(bsdf, varying);
-            if pdf.is_null() {
-                require(value, "value (and pdf)")?;
-                value
-                    .cast::<[f32; 3]>()
-                    .write_unaligned(bsdf.eval(wo, wi, varying));
-                return Ok(());
+            let bsdf = &handle(bsdf)?.bsdf;
+            if varying >= bsdf.varying_count() {
+                return Err(Error::out_of_range(format!(
+                    "varying = {varying}, but the BSDF has {} varying parameters, counted from 0",
+                    bsdf.varying_count()
+                )));
             }
-            let (rgb, density) = bsdf.eval_pdf(wo, wi, varying);
-            if !value.is_null() {
-                value.cast::<[f32; 3]>().write_unaligned(rgb);
-            }
-            pdf.write_unaligned(density);
+            write_growing(info, info_size, &varying_info(bsdf, varying));
         }
         Ok(())
     })
 }
 
-/// Samples a direction to the light. `u`: 3 uniform random numbers in [0, 1); the first chooses the
-/// lobe. `varying` as in pellicle_bsdf_eval(). Without a valid sample everything in `sample` is 0.
+/// Describes the lobe with number `lobe`, below PellicleBsdfInfo::lobe_count; else OUT_OF_RANGE.
 ///
 /// # Safety
-/// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `sample` good for
-/// `sample_size` bytes.
+/// `bsdf` must be NULL (refused) or a live handle, `info` good for `info_size` bytes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn pellicle_bsdf_sample(
+pub unsafe extern "C" fn pellicle_bsdf_lobe(
     bsdf: *const PellicleBsdf,
-    wo: *const f32,
-    u: *const f32,
-    varying: *const f32,
-    sample: *mut PellicleSample,
-    sample_size: size_t,
+    lobe: size_t,
+    info: *mut PellicleLobeInfo,
+    info_size: size_t,
 ) -> PellicleStatus {
     guard(|| {
-        check_output(sample, sample_size, "sample")?;
-        // SAFETY: the caller vouches for the handle, the lengths of the arrays and `sample_size`.
+        check_output(info, info_size, "info")?;
+        // SAFETY: the caller vouches for the handle and for `info_size` bytes.
         unsafe {
-            let bsdf = handle(bsdf)?;
-            let wo = numbers::<3>(wo, "wo")?.into();
-            let u = numbers::<3>(u, "u")?.into();
-            let sampled = bsdf.sample(wo, u, varying_numbers(bsdf, varying));
-            let filled = PellicleSample {
-                wi: sampled.wi.to_array(),
-                pdf: sampled.pdf,
-                weight: sampled.weight,
-                eta: sampled.eta,
-                flags: sampled.flags.0,
-                lobe: sampled.lobe as u32,
+            let all = handle(bsdf)?.bsdf.lobe_infos();
+            let described = all.get(lobe).ok_or_else(|| {
+                Error::out_of_range(format!(
+                    "lobe = {lobe}, but the BSDF has {} lobes, counted from 0",
+                    all.len()
+                ))
+            })?;
+            let filled = PellicleLobeInfo {
+                name: text(described.name),
+                flags: described.flags.0,
             };
-            write_growing(sample, sample_size, &filled);
+            write_growing(info, info_size, &filled);
         }
         Ok(())
     })
 }
 
-/// Directional albedo: the integral of the value over wi, Dirac lobes included, RGB, into `albedo` (3
-/// numbers). `varying` as in pellicle_bsdf_eval(). By quadrature, which takes some milliseconds, unless the model has
-/// a closed form; call it when preparing, not when shading. Transmitted light counts as radiance: seen
-/// from within a dense base the albedo exceeds 1.
-///
-/// # Safety
-/// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pellicle_bsdf_albedo(
-    bsdf: *const PellicleBsdf,
-    wo: *const f32,
-    varying: *const f32,
-    albedo: *mut f32,
-) -> PellicleStatus {
-    guard(|| {
-        require(albedo, "albedo")?;
-        // SAFETY: the caller vouches for the handle and the lengths of the arrays.
-        unsafe {
-            let bsdf = handle(bsdf)?;
-            let wo = numbers::<3>(wo, "wo")?.into();
-            let rgb = bsdf.albedo(wo, varying_numbers(bsdf, varying));
-            albedo.cast::<[f32; 3]>().write_unaligned(rgb);
-        }
-        Ok(())
-    })
+/// What a handle points to.
+#[inline(always)]
+pub(super) unsafe fn handle<'a>(bsdf: *const PellicleBsdf) -> Result<&'a BsdfHandle, Error> {
+    // SAFETY: NULL is refused; a live handle came from Arc::into_raw of an Arc<BsdfHandle>.
+    unsafe { reference(bsdf.cast::<BsdfHandle>(), "bsdf") }
 }
 
-/// The BSDF behind a handle.
-#[inline(always)]
-pub(super) unsafe fn handle<'a>(bsdf: *const PellicleBsdf) -> Result<&'a Bsdf, Error> {
-    // SAFETY: NULL is refused; a live handle came from Arc::into_raw of an Arc<Bsdf>.
-    unsafe { reference(bsdf.cast::<Bsdf>(), "bsdf") }
-}
-
-#[inline(always)]
-unsafe fn varying_numbers<'a>(bsdf: &Bsdf, varying: *const f32) -> Option<&'a [f32]> {
-    // SAFETY: the caller vouches that a varying array holds all the BSDF's varying numbers.
-    (!varying.is_null())
-        .then(|| unsafe { std::slice::from_raw_parts(varying, bsdf.varying_floats()) })
+/// What varies at that place, which must exist.
+fn varying_info(bsdf: &Bsdf, place: usize) -> PellicleVaryingInfo {
+    let mut offset = 0;
+    for before in bsdf.varying().take(place) {
+        offset += before.param.components();
+    }
+    let varying = bsdf.varying().nth(place).expect("the place was checked");
+    let mut default_value = [0.0; 3];
+    default_value[..varying.defaults.len()].copy_from_slice(varying.defaults);
+    PellicleVaryingInfo {
+        name: text(varying.param.name),
+        unit: text(varying.param.unit),
+        kind: match varying.param.kind {
+            ParamKind::Direction { .. } => PELLICLE_KIND_DIRECTION,
+            _ => PELLICLE_KIND_NUMBER,
+        },
+        components: varying.param.components() as u32,
+        offset: offset as u32,
+        min: varying.min,
+        max: varying.max,
+        default_value,
+    }
 }
 
 /// Copies a description out of the caller's memory.
@@ -228,15 +216,18 @@ unsafe fn description(desc: &PellicleBsdfDesc) -> Result<Description, Error> {
     // SAFETY: the caller vouches for strings and counts.
     unsafe {
         let mut description = Description::new(&string(desc.model, "desc->model")?);
-        for param in slice(desc.params, desc.param_count, "desc->params")? {
-            description = with_param(description, param)?;
+        for param in elements(desc.params, desc.param_count, "desc->params")? {
+            description = with_param(description, &param)?;
         }
-        for range in slice(desc.varying, desc.varying_count, "desc->varying")? {
+        for range in elements(desc.varying, desc.varying_count, "desc->varying")? {
             let name = string(range.name, "desc->varying[].name")?;
             description = description.vary(&name, range.min, range.max);
         }
         if let Some(film) = film::share(desc.film) {
             description = description.film(film);
+        }
+        if let Some(level) = optional_string(desc.simd_level, "desc->simd_level")? {
+            description = description.simd_level(&level);
         }
         Ok(description)
     }
@@ -256,14 +247,9 @@ unsafe fn with_param(
                     "parameter '{name}' has count = {count}; no parameter takes more than 3 numbers"
                 )));
             }
-            if param.values.is_null() && param.count > 0 {
-                return Err(Error::invalid(format!(
-                    "parameter '{name}' has values = NULL and count = {}",
-                    param.count
-                )));
-            }
-            let values = slice(param.values, param.count, "values")?;
-            return Ok(description.set(&name, values));
+            let place = format!("the array of values of parameter '{name}'");
+            let values: Vec<f32> = elements(param.values, param.count, &place)?.collect();
+            return Ok(description.set(&name, &values));
         }
         if !param.values.is_null() || param.count != 0 {
             return Err(Error::invalid(format!(

@@ -1,41 +1,31 @@
 //! From a film's description in the caller's memory to one of our own.
 
-use super::boundary::{slice, string};
+use super::boundary::{check_size, optional_string, read_growing, require};
+use super::film_types::{PellicleFilmDesc, PellicleLayer, PellicleMedium};
 use super::medium::{medium, needed_medium};
-use super::types::PellicleFilmDesc;
 use crate::error::Error;
 use crate::film::{DEFAULT_TOLERANCE, FilmDescription, MAX_LAYERS};
 use crate::optics::{ColorSpace, Medium, White};
-use libc::c_char;
 
 /// Copies a description; messages name the place of what was wrong, as in "layers\[2\].medium".
 ///
 /// # Safety
-/// Its pointers must be NULL or good for their counts, its strings NUL-terminated.
+/// Its pointers must be NULL or good for their counts and sizes, its strings NUL-terminated.
 pub(super) unsafe fn film_description(desc: &PellicleFilmDesc) -> Result<FilmDescription, Error> {
-    // SAFETY: the caller vouches for strings and counts.
+    check_size::<PellicleMedium>(desc.medium_size, "desc->medium_size")?;
+    // SAFETY: the caller vouches for pointers, strings, counts and sizes.
     unsafe {
-        let ambient = medium(&desc.ambient, "ambient")?.unwrap_or_else(Medium::vacuum);
-        // Before the layers are read: a count that was never set may be anything.
-        if desc.layer_count > MAX_LAYERS {
-            return Err(Error::out_of_range(format!(
-                "layer_count = {} is outside [0, {MAX_LAYERS}]",
-                desc.layer_count
-            )));
-        }
-        let layers = slice(desc.layers, desc.layer_count, "layers")?;
-        let mut media = Vec::with_capacity(layers.len());
-        for (i, layer) in layers.iter().enumerate() {
-            media.push(needed_medium(
-                &layer.medium,
-                &format!("layers[{i}].medium"),
-            )?);
-        }
-        let mut description = FilmDescription::new(needed_medium(&desc.base, "base")?);
-        description.ambient = ambient;
-        for (layer, medium) in layers.iter().zip(media) {
-            let range = [layer.thickness_min_nm, layer.thickness_max_nm];
-            description = description.layer(medium, range.map(f64::from));
+        let ambient = if desc.ambient.is_null() {
+            None
+        } else {
+            medium(&read_medium(desc, desc.ambient, "ambient")?, "ambient")?
+        };
+        let layers = read_layers(desc)?;
+        let base = read_medium(desc, desc.base, "base")?;
+        let mut description = FilmDescription::new(needed_medium(&base, "base")?);
+        description.ambient = ambient.unwrap_or_else(Medium::vacuum);
+        for (medium, thickness_nm) in layers {
+            description = description.layer(medium, thickness_nm);
         }
         description.tolerance = if desc.tolerance == 0.0 {
             DEFAULT_TOLERANCE
@@ -55,13 +45,41 @@ pub(super) unsafe fn film_description(desc: &PellicleFilmDesc) -> Result<FilmDes
     }
 }
 
-/// The text of a string that may be NULL.
-unsafe fn optional_string(pointer: *const c_char, name: &str) -> Result<Option<String>, Error> {
-    if pointer.is_null() {
-        return Ok(None);
+unsafe fn read_medium(
+    desc: &PellicleFilmDesc,
+    medium: *const PellicleMedium,
+    place: &str,
+) -> Result<PellicleMedium, Error> {
+    // SAFETY: NULL is refused; the caller vouches for the size. Zero is a valid PellicleMedium.
+    unsafe { read_growing(medium, desc.medium_size, place) }
+}
+
+/// Media and ranges of thickness, nm. The layers are as far apart as the caller's layers are large.
+unsafe fn read_layers(desc: &PellicleFilmDesc) -> Result<Vec<(Medium, [f64; 2])>, Error> {
+    // Before the layers are read: a count that was never set may be anything.
+    if desc.layer_count > MAX_LAYERS {
+        return Err(Error::out_of_range(format!(
+            "layer_count = {} is outside [0, {MAX_LAYERS}]",
+            desc.layer_count
+        )));
     }
-    // SAFETY: not NULL; the caller vouches for the terminator.
-    unsafe { string(pointer, name) }.map(Some)
+    if desc.layer_count == 0 {
+        return Ok(Vec::new());
+    }
+    require(desc.layers, "layers")?;
+    check_size::<PellicleLayer>(desc.layer_size, "desc->layer_size")?;
+    let read = |i: usize| {
+        let place = format!("layers[{i}].medium");
+        // SAFETY: the caller vouches for so many layers of that size. Zero is a valid PellicleLayer.
+        unsafe {
+            let layer = desc.layers.byte_add(i * desc.layer_size);
+            let layer = read_growing(layer, desc.layer_size, &format!("layers[{i}]"))?;
+            let medium = needed_medium(&read_medium(desc, layer.medium, &place)?, &place)?;
+            let range = [layer.thickness_min_nm, layer.thickness_max_nm];
+            Ok((medium, range.map(f64::from)))
+        }
+    };
+    (0..desc.layer_count).map(read).collect()
 }
 
 fn switch(value: u32, name: &str) -> Result<bool, Error> {

@@ -1,7 +1,7 @@
 //! From a medium in the caller's memory to one of our own.
 
-use super::boundary::{slice, string};
-use super::types::PellicleMedium;
+use super::boundary::{elements, string};
+use super::film_types::PellicleMedium;
 use crate::error::Error;
 use crate::optics::Medium;
 use libc::c_char;
@@ -69,15 +69,11 @@ unsafe fn tabulated(parts: [*const f32; 3], count: usize) -> Result<Medium, Erro
     Medium::table(&nm, &eta, &k)
 }
 
-/// A copy in double precision. Its size is the caller's: reserved fallibly.
-unsafe fn doubles(
-    pointer: *const f32,
-    count: usize,
-    name: &'static str,
-) -> Result<Vec<f64>, Error> {
+/// A copy in double precision. Its size is the caller's, so it is reserved fallibly.
+unsafe fn doubles(pointer: *const f32, count: usize, name: &str) -> Result<Vec<f64>, Error> {
     // SAFETY: the caller vouches for `count` numbers.
-    let given = unsafe { slice(pointer, count, name)? };
+    let given = unsafe { elements(pointer, count, name)? };
     let mut copy = Error::reserve(count, name)?;
-    copy.extend(given.iter().copied().map(f64::from));
+    copy.extend(given.map(f64::from));
     Ok(copy)
 }

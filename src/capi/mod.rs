@@ -1,29 +1,37 @@
 //! The C interface: validation, conversion, the panic guard, and nothing else.
 //!
-//! The documentation of every function is written for the C header, which is generated from here.
+//! The documentation of every function is written for the C header, which build.rs generates from here.
 
 #![allow(unsafe_code)]
 
 mod api;
-mod args;
 mod batch;
 mod boundary;
 mod bsdf;
+mod bsdf_calls;
+mod bsdf_types;
+mod call;
+mod catalogue;
 #[cfg(test)]
 mod faults;
 mod film;
+mod film_calls;
 mod film_description;
+mod film_types;
 mod last_error;
 mod medium;
-mod model;
+mod text;
 mod types;
 mod version;
 
 pub use api::*;
-pub use args::*;
 pub use batch::*;
 pub use bsdf::*;
+pub use bsdf_calls::*;
+pub use bsdf_types::*;
+pub use catalogue::*;
 pub use film::*;
-pub use model::*;
+pub use film_calls::*;
+pub use film_types::*;
 pub use types::*;
 pub use version::*;

@@ -14,36 +14,59 @@
  * index values belong to 645, 525 and 445 nm: linear in 1 / lambda^2 between, constant outside.
  *
  * Sides. Without the flag TRANSMISSION, wi.z <= 0 or wo.z <= 0 gives 0: one-sided, the caller flips.
- * With it, z < 0 is the base's side and z = 0 gives 0; what is transmitted is radiance, which carries
- * (eta_o / eta_i)^2. Dirac lobes give value = pdf = 0; only sample() returns them, with weight and
- * pdf = 0.
+ * With it, z < 0 is the base's side and z = 0 gives 0. What is transmitted is radiance, which carries
+ * (eta_o / eta_i)^2, unless the call asks for importance. Dirac lobes give value = pdf = 0; only
+ * sample() returns them, with weight and pdf = 0.
  *
  * Data never fails. Finite inputs give finite, non-negative outputs (unclipped colours of films may
  * be negative). Directions within 1e-3 of unit length are accepted as they are; any other direction,
  * NaN and infinity give 0 for that element and leave its neighbours alone. A varying parameter's
  * finite value outside its declared range is clamped to it; NaN or infinity there gives 0 for that
  * element. In the calls of a film, cosines are clamped to [1e-9, 1] and thicknesses to the declared
- * range, infinities too, and NaN gives 0. Nothing else is clamped.
+ * range, infinities too, and NaN gives 0. A varying parameter that a call does not give has its value
+ * in `params`; without one there, it has the model's default, clamped to the declared range. Nothing
+ * else is clamped.
  *
  * Pointers and counts can fail. Every function checks every pointer for NULL. On failure a status
  * other than PELLICLE_OK is returned, outputs are untouched, and pellicle_last_error() says which
- * argument was wrong, its value, and what is allowed.
+ * argument was wrong, its value, and what is allowed. Every array may lie at any alignment.
  *
  * Threads. Every function may be called from any thread. Handles are immutable and
- * reference-counted: share them freely. Nothing starts threads, locks, logs, calls back or changes
- * the floating-point state; results are right under flush-to-zero and denormals-are-zero.
- * Floating-point exception flags may be raised: do not unmask traps. Only these allocate: create();
- * pellicle_film_reference() and pellicle_film_spectrum(); what evaluates a film whose plan's method
- * is "reference"; and a failing call, for its message.
+ * reference-counted: share them freely. Nothing starts threads, locks, logs, calls back, reads the
+ * environment or changes the floating-point state; the only state of the process is each thread's last
+ * error. Results are right under flush-to-zero and denormals-are-zero. Floating-point exception flags
+ * may be raised: do not unmask traps. Only these allocate: create(); pellicle_name();
+ * pellicle_film_reference() and pellicle_film_spectrum(); what evaluates a film whose plan's method is
+ * "reference"; and a failing call, for its message. A defect of pellicle is reported as
+ * PELLICLE_INTERNAL, and Rust's line about it may appear on the standard error stream.
  *
  * Batches. Elements are evaluated side by side with the widest of SSE2, AVX2 and AVX-512, or NEON, that
- * the processor has, to the same bits as single calls. The environment variable PELLICLE_SIMD (sse2,
- * avx2), read once by the first create(), may name a narrower one, for tests; other values do nothing.
- * Components whose elements lie side by side are the fastest, then whole packed elements.
+ * the processor has, to the same bits as single calls. Components whose elements lie side by side are
+ * the fastest, then whole packed elements.
  *
- * Growth. Structs that are passed together with their own size grow by appending, and zero means
- * default: zero-initialise them and pass sizeof. A shorter struct of an older caller is accepted; a
- * longer one is accepted if what this build does not know is zero, else UNSUPPORTED. Outputs are
- * written up to the smaller size. A size that no version can have (0, above 65,536, or no multiple of
- * the struct's alignment) is INVALID_ARGUMENT.
+ * Growth. Structs grow by appending, and zero means default: zero-initialise them and state their
+ * size. The size of a struct that is passed alone stands beside it in the call; that of PellicleCall in
+ * its first field; that of PellicleMedium and PellicleLayer in the description that points to them.
+ * A shorter struct of an older caller is accepted; a longer one is accepted if what this build does not
+ * know is zero, else UNSUPPORTED. Outputs are written up to the smaller size. A size that no version can
+ * have (0, above 65,536, or no multiple of the struct's alignment) is INVALID_ARGUMENT. Structs that say
+ * "Frozen" do not grow.
+ *
+ * EXAMPLE
+ *
+ *   PellicleMedium glass = {0}, water = {0};
+ *   glass.name = "BK7";
+ *   water.name = "water";
+ *   PellicleLayer layer = {&water, 0.0f, 500.0f};               // its thickness comes with every call
+ *   PellicleFilmDesc desc = {sizeof glass, sizeof layer};       // the sizes of this header's structs
+ *   desc.layers = &layer;
+ *   desc.layer_count = 1;
+ *   desc.base = &glass;
+ *   PellicleFilm *film;
+ *   if (pellicle_film_create(&desc, sizeof desc, &film) != PELLICLE_OK) puts(pellicle_last_error());
+ *   else {
+ *       float rgb[3];
+ *       pellicle_film_reflectance(film, 0.8f, 320.0f, rgb);     // cosine of incidence, nm
+ *       pellicle_film_release(film);
+ *   }
  */

@@ -4,19 +4,19 @@ use super::last_error;
 use super::types::{PELLICLE_ABI_VERSION, PellicleStatus};
 use libc::c_char;
 
-/// PELLICLE_ABI_VERSION of the library that runs; compare it with the header's.
+/// Gives PELLICLE_ABI_VERSION of the library that runs; compare it with the header's.
 #[unsafe(no_mangle)]
 pub extern "C" fn pellicle_abi_version() -> u32 {
     PELLICLE_ABI_VERSION
 }
 
-/// Version of the library that runs, "major.minor.patch"; lives as long as the library.
+/// Gives the version of the library that runs, "major.minor.patch". It lives as long as the library.
 #[unsafe(no_mangle)]
 pub extern "C" fn pellicle_version_string() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }
 
-/// A status in words, "unknown status" for a number that is none; lives as long as the library.
+/// Gives a status in words, "unknown status" for a number that is none. It lives as long as the library.
 #[unsafe(no_mangle)]
 pub extern "C" fn pellicle_status_string(status: PellicleStatus) -> *const c_char {
     let text = match status {
@@ -32,8 +32,8 @@ pub extern "C" fn pellicle_status_string(status: PellicleStatus) -> *const c_cha
     text.as_ptr()
 }
 
-/// What was wrong in this thread's last failing call: which argument, its value, what is allowed.
-/// Never NULL; empty before the first failure. The text is valid until this thread's next failing
+/// Tells what was wrong in this thread's last failing call: which argument, its value, what is allowed.
+/// It is never NULL, and empty before the first failure. The text is valid until this thread's next failing
 /// call or its end; longer messages are cut at 1023 bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn pellicle_last_error() -> *const c_char {

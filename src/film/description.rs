@@ -1,23 +1,24 @@
-//! What film to create, and the checks that it must pass.
+//! The description of a film, and the checks that it must pass.
 
 use crate::error::Error;
 use crate::optics::stack::Side;
 use crate::optics::{ColorSpace, Medium, White};
 
-/// The error that is allowed where none is stated.
+/// The tolerance where none is stated.
 pub const DEFAULT_TOLERANCE: f64 = 2e-3;
-/// The least error that may be asked for: what the reference itself is converged to.
+/// The least tolerance: the error that the reference itself is converged to.
 pub const LEAST_TOLERANCE: f64 = 1e-5;
-/// The most layers.
+/// The greatest number of layers.
 pub const MAX_LAYERS: usize = 64;
+/// The greatest thickness of a layer, nm: ten centimetres.
+pub const MAX_THICKNESS_NM: f64 = 1e8;
 
 /// One layer: its medium and the range of its thickness.
 #[derive(Clone, Debug)]
 pub struct FilmLayer {
-    /// What it consists of.
+    /// Its medium; may absorb.
     pub medium: Medium,
-    /// Least and greatest thickness, nm, within \[0, [`MAX_THICKNESS_NM`](super::MAX_THICKNESS_NM)\];
-    /// equal: fixed.
+    /// Least and greatest thickness, nm, within \[0, [`MAX_THICKNESS_NM`]\]; equal for a fixed thickness.
     pub thickness_nm: [f64; 2],
 }
 
@@ -25,17 +26,17 @@ pub struct FilmLayer {
 /// checked before [`Film::new`](super::Film::new).
 #[derive(Clone, Debug)]
 pub struct FilmDescription {
-    /// Where the light comes from: transparent, eta >= 1.
+    /// The medium above the layers: transparent, eta >= 1.
     pub ambient: Medium,
     /// The layers, the ambient's neighbour first; at most 64. The thickness of at most one may vary.
     pub layers: Vec<FilmLayer>,
-    /// What they lie on.
+    /// The medium below the layers; may absorb.
     pub base: Medium,
-    /// The greatest error of a channel of the clipped colours, at least 1e-5.
+    /// The greatest error allowed of a channel of the clipped colours, in \[1e-5, 1\].
     pub tolerance: f64,
     /// The illuminant in which a perfect mirror is (1, 1, 1).
     pub white: White,
-    /// The space of the colours.
+    /// The colour space of the results.
     pub color_space: ColorSpace,
     /// One of [`METHODS`](super::METHODS); `None` lets the plan choose.
     pub method: Option<String>,
@@ -61,7 +62,7 @@ impl FilmDescription {
         }
     }
 
-    /// Adds a layer below those that are there. `thickness_nm`: least and greatest.
+    /// Adds a layer below the others. `thickness_nm`: least and greatest, nm.
     #[must_use]
     pub fn layer(mut self, medium: Medium, thickness_nm: [f64; 2]) -> Self {
         self.layers.push(FilmLayer {
@@ -71,7 +72,7 @@ impl FilmDescription {
         self
     }
 
-    /// The layer whose thickness varies.
+    /// The index of the layer whose thickness varies, if one does.
     pub fn varying(&self) -> Option<usize> {
         let varies = |layer: &FilmLayer| layer.thickness_nm[0] != layer.thickness_nm[1];
         self.layers.iter().position(varies)
@@ -83,7 +84,7 @@ impl FilmDescription {
             .map_or([0.0; 2], |layer| self.layers[layer].thickness_nm)
     }
 
-    /// The sides that light is asked for from.
+    /// The sides from which light is asked for.
     pub(super) fn sides(&self) -> &'static [Side] {
         if self.transmittance && !self.base.absorbs() {
             &[Side::Ambient, Side::Base]
@@ -92,12 +93,12 @@ impl FilmDescription {
         }
     }
 
-    /// Whether a half-space disperses: then every wavelength has a critical angle of its own.
+    /// Whether a half-space disperses. Then every wavelength has its own critical angle.
     pub(super) fn disperses(&self) -> bool {
         self.ambient.constant().is_none() || self.base.constant().is_none()
     }
 
-    /// One thickness per layer, the varying one held in its range.
+    /// One thickness per layer, nm; the varying one is clamped to its range.
     pub(super) fn thicknesses(&self, varying_nm: f64) -> Vec<f64> {
         let thickness = |layer: &FilmLayer| {
             let [min, max] = layer.thickness_nm;
@@ -106,6 +107,7 @@ impl FilmDescription {
         self.layers.iter().map(thickness).collect()
     }
 
+    /// Refuses what [`Film::new`](super::Film::new) documents, but for the method's name.
     pub(super) fn check(&self) -> Result<(), Error> {
         self.ambient.check_ambient()?;
         if self.layers.len() > MAX_LAYERS {
@@ -125,7 +127,8 @@ impl FilmDescription {
                  thickness_min_nm = thickness_max_nm"
             )));
         }
-        let least = LEAST_TOLERANCE * (1.0 - 1e-6); // as a single-precision number
+        // C callers give the tolerance in single precision.
+        let least = LEAST_TOLERANCE * (1.0 - 1e-6);
         if !(least..=1.0).contains(&self.tolerance) {
             return Err(Error::out_of_range(format!(
                 "tolerance = {} is outside [{LEAST_TOLERANCE}, 1]",
@@ -137,11 +140,10 @@ impl FilmDescription {
 }
 
 fn check_thickness(layer: usize, [min, max]: [f64; 2]) -> Result<(), Error> {
-    let greatest = super::MAX_THICKNESS_NM;
     for (name, thickness) in [("thickness_min_nm", min), ("thickness_max_nm", max)] {
-        if !(0.0..=greatest).contains(&thickness) {
+        if !(0.0..=MAX_THICKNESS_NM).contains(&thickness) {
             return Err(Error::out_of_range(format!(
-                "layers[{layer}].{name} = {thickness} is outside [0, {greatest}]"
+                "layers[{layer}].{name} = {thickness} is outside [0, {MAX_THICKNESS_NM}]"
             )));
         }
     }

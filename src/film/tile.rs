@@ -1,62 +1,34 @@
-//! Reflectances of a film in lanes, for arrays of arguments.
+//! Reflectances of a film for arrays of arguments.
 
-use super::compiled::{Compiled, Film};
-use super::table::{Curve, Table};
+use super::colors::has_nan;
+use super::film::Film;
+use super::table::spline::SplineTable;
 use crate::num::{Lane, Level, Work};
 
-/// Elements between whose stages positions wait in the processor's first cache.
+/// Positions of this number of elements wait in the processor's first cache.
 const BLOCK: usize = 256;
 
-/// What is looked up, in two stages.
-trait Tabulated {
-    /// Steps along the table's axes for arguments within their ranges.
-    fn position<L: Lane<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2];
-    /// The colours there.
-    fn around<L: Lane<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb;
-}
-
-impl Tabulated for Table {
-    #[inline(always)]
-    fn position<L: Lane<Scalar = f32>>(&self, cos_theta: L, thickness_nm: L) -> [L; 2] {
-        self.position(cos_theta, thickness_nm)
-    }
-    #[inline(always)]
-    fn around<L: Lane<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb {
-        self.around(position)
-    }
-}
-
-impl Tabulated for Curve {
-    #[inline(always)]
-    fn position<L: Lane<Scalar = f32>>(&self, cos_theta: L, _thickness_nm: L) -> [L; 2] {
-        self.position(cos_theta)
-    }
-    #[inline(always)]
-    fn around<L: Lane<Scalar = f32>>(&self, position: [L; 2]) -> L::Rgb {
-        self.around(position)
-    }
-}
-
-/// [`Film::reflectance_lanes`] of arrays, for a film compiled to `tabulated`.
+/// [`Film::reflectance_lanes`] of arrays, for a film with a table over the cosine of the ambient's side.
 ///
-/// A position is a long chain of operations that wait for each other; were it followed by its look-up, a
-/// processor would have no room left in which to begin the next one. So all positions of a block are found
-/// before its first look-up.
-struct Tile<'a, T> {
+/// The operations that find a position depend on each other. If each were followed by its look-up, a
+/// processor's window would have no room left to begin the next position meanwhile. So all positions of
+/// a block are found before its first look-up.
+struct TileLookUp<'a> {
     film: &'a Film,
-    tabulated: &'a T,
+    table: &'a SplineTable,
     cos_theta: &'a [f32],
     thickness_nm: &'a [f32],
     reflectance: [&'a mut [f32]; 3],
 }
 
-impl<T: Tabulated> Work<f32> for Tile<'_, T> {
+impl Work<f32> for TileLookUp<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Lane<Scalar = f32>>(self) {
+        let Self { film, table, .. } = self;
         let [r, g, b] = self.reflectance;
-        let arguments = self
+        let inputs = self
             .cos_theta
             .chunks(BLOCK)
             .zip(self.thickness_nm.chunks(BLOCK));
@@ -65,19 +37,12 @@ impl<T: Tabulated> Work<f32> for Tile<'_, T> {
             .zip(g.chunks_mut(BLOCK))
             .zip(b.chunks_mut(BLOCK));
         let mut positions = [[0.0; BLOCK]; 2];
-        for ((cos_theta, thickness_nm), ((r, g), b)) in arguments.zip(results) {
-            find_positions::<L, T>(
-                self.film,
-                self.tabulated,
-                cos_theta,
-                thickness_nm,
-                &mut positions,
-            );
-            look_up::<L, T>(
-                self.film,
-                self.tabulated,
-                cos_theta,
-                thickness_nm,
+        for ((cos_theta, thickness_nm), ((r, g), b)) in inputs.zip(results) {
+            find_positions::<L>(film, table, [cos_theta, thickness_nm], &mut positions);
+            look_up::<L>(
+                film,
+                table,
+                [cos_theta, thickness_nm],
                 &positions,
                 [r, g, b],
             );
@@ -85,40 +50,41 @@ impl<T: Tabulated> Work<f32> for Tile<'_, T> {
     }
 }
 
-/// The positions of a block.
+/// The positions of a block; those along the thickness only if the table has it.
 #[inline(always)]
-fn find_positions<L: Lane<Scalar = f32>, T: Tabulated>(
+fn find_positions<L: Lane<Scalar = f32>>(
     film: &Film,
-    tabulated: &T,
-    cos_theta: &[f32],
-    thickness_nm: &[f32],
+    table: &SplineTable,
+    [cos_theta, thickness_nm]: [&[f32]; 2],
     [x, y]: &mut [[f32; BLOCK]; 2],
 ) {
-    let arguments = cos_theta
+    let inputs = cos_theta
         .chunks_exact(L::COUNT)
         .zip(thickness_nm.chunks_exact(L::COUNT));
     let positions = x
         .chunks_exact_mut(L::COUNT)
         .zip(y.chunks_exact_mut(L::COUNT));
-    for ((cos_theta, thickness_nm), (x, y)) in arguments.zip(positions) {
-        let [cos_theta, thickness_nm] = film.held_lanes(L::load(cos_theta), L::load(thickness_nm));
-        let position = tabulated.position(cos_theta, thickness_nm);
-        position[0].store(x);
-        position[1].store(y);
+    for ((cos_theta, thickness_nm), (x, y)) in inputs.zip(positions) {
+        let [cos_theta, thickness_nm] =
+            film.clamp_inputs([L::load(cos_theta), L::load(thickness_nm)]);
+        let [along_x, along_y, _] = L::channels(table.position(cos_theta, thickness_nm));
+        along_x.store(x);
+        if !table.is_over_cosine() {
+            along_y.store(y);
+        }
     }
 }
 
 /// The colours of a block.
 #[inline(always)]
-fn look_up<L: Lane<Scalar = f32>, T: Tabulated>(
+fn look_up<L: Lane<Scalar = f32>>(
     film: &Film,
-    tabulated: &T,
-    cos_theta: &[f32],
-    thickness_nm: &[f32],
+    table: &SplineTable,
+    [cos_theta, thickness_nm]: [&[f32]; 2],
     [x, y]: &[[f32; BLOCK]; 2],
     [r, g, b]: [&mut [f32]; 3],
 ) {
-    let arguments = cos_theta
+    let inputs = cos_theta
         .chunks_exact(L::COUNT)
         .zip(thickness_nm.chunks_exact(L::COUNT));
     let positions = x.chunks_exact(L::COUNT).zip(y.chunks_exact(L::COUNT));
@@ -126,12 +92,15 @@ fn look_up<L: Lane<Scalar = f32>, T: Tabulated>(
         .chunks_exact_mut(L::COUNT)
         .zip(g.chunks_exact_mut(L::COUNT))
         .zip(b.chunks_exact_mut(L::COUNT));
-    for (((cos_theta, thickness_nm), (x, y)), ((r, g), b)) in arguments.zip(positions).zip(results)
-    {
-        let (cos_theta, thickness_nm) = (L::load(cos_theta), L::load(thickness_nm));
-        let is_number = cos_theta.equals(cos_theta) & thickness_nm.equals(thickness_nm);
-        let rgb = L::channels(tabulated.around([L::load(x), L::load(y)]));
-        let rgb = film.finished_lanes(is_number, rgb);
+    for (((cos_theta, thickness_nm), (x, y)), ((r, g), b)) in inputs.zip(positions).zip(results) {
+        let inputs = [L::load(cos_theta), L::load(thickness_nm)];
+        let rgb = if has_nan(inputs) {
+            film.reflectance_one_by_one(inputs)
+        } else {
+            let y = L::load(y);
+            let rgb = table.around::<L>(L::rgb([L::load(x), y, y]));
+            L::channels(film.clip::<L>(rgb))
+        };
         rgb[0].store(r);
         rgb[1].store(g);
         rgb[2].store(b);
@@ -139,7 +108,8 @@ fn look_up<L: Lane<Scalar = f32>, T: Tabulated>(
 }
 
 impl Film {
-    /// [`Film::reflectance`] of arrays, equal bit for bit. All are of one length, a multiple of 16.
+    /// [`Film::reflectance`] of arrays, with exactly the bits of single calls. All arrays have the same
+    /// length, a multiple of 16.
     pub(crate) fn reflectance_tile(
         &self,
         level: Level,
@@ -147,27 +117,19 @@ impl Film {
         thickness_nm: &[f32],
         reflectance: [&mut [f32]; 3],
     ) {
-        match &self.compiled {
-            Compiled::Table(table) => level.run(Tile {
+        if let Some(table) = self.table().filter(|_| !level.is_scalar()) {
+            level.run(TileLookUp {
                 film: self,
-                tabulated: table,
+                table,
                 cos_theta,
                 thickness_nm,
                 reflectance,
-            }),
-            Compiled::Curve(curve) => level.run(Tile {
-                film: self,
-                tabulated: curve,
-                cos_theta,
-                thickness_nm,
-                reflectance,
-            }),
-            _ => {
-                let [r, g, b] = reflectance;
-                for (i, cos_theta) in cos_theta.iter().enumerate() {
-                    [r[i], g[i], b[i]] = self.reflectance(*cos_theta, thickness_nm[i]);
-                }
-            }
+            });
+            return;
+        }
+        let [r, g, b] = reflectance;
+        for (i, cos_theta) in cos_theta.iter().enumerate() {
+            [r[i], g[i], b[i]] = self.reflectance(*cos_theta, thickness_nm[i]);
         }
     }
 }
@@ -175,15 +137,16 @@ impl Film {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::film::FilmDescription;
+    use crate::film::description::FilmDescription;
+    use crate::film::evaluator::Evaluator;
     use crate::optics::Medium;
 
     fn constant(eta: f64, k: f64) -> Medium {
         Medium::rgb([eta; 3], [k; 3]).unwrap()
     }
 
-    /// Every result of a tile is that of a single call, to the bit, with all sets of instructions: at
-    /// ordinary arguments, beyond the ranges of both, and where they are no numbers.
+    /// A tile gives exactly the bits of single calls, with all sets of instructions: at ordinary arguments,
+    /// beyond the ranges of both, and where they are NaN.
     #[test]
     fn equal_to_single_calls() {
         let glass = || FilmDescription::new(constant(1.5, 0.0));
@@ -194,10 +157,23 @@ mod tests {
             ..coated([50.0, 700.0])
         };
         let metal = FilmDescription::new(constant(1.5, 3.0));
+        let from_glass = FilmDescription {
+            ambient: constant(1.5, 0.0),
+            ..FilmDescription::new(constant(1.0, 0.0))
+        };
+        let window = FilmDescription {
+            transmittance: true,
+            ..coated([50.0, 700.0])
+        };
         let films = [
             ("table", coated([50.0, 700.0])),
             ("table", metal.layer(constant(1.33, 0.0), [0.0, 1000.0])),
-            ("curve", coated([300.0; 2])),
+            ("table", window),
+            ("table over the cosine", coated([300.0; 2])),
+            (
+                "table from glass",
+                from_glass.layer(constant(1.38, 0.0), [50.0, 700.0]),
+            ),
             ("bands", bands),
         ];
         let odd = [
@@ -217,13 +193,16 @@ mod tests {
         ];
         for (what, description) in films {
             let film = Film::new(&description).unwrap();
-            let is_expected = match &film.compiled {
-                Compiled::Table(_) => what == "table",
-                Compiled::Curve(_) => what == "curve",
+            let is_expected = match &film.evaluator {
+                Evaluator::Tables(tables) => match tables.over_ambient_cosine() {
+                    Some(table) if table.is_over_cosine() => what == "table over the cosine",
+                    Some(_) => what == "table",
+                    None => what == "table from glass",
+                },
                 _ => what == "bands",
             };
             assert!(is_expected, "{what} is compiled to something else");
-            // 704 is no multiple of a block.
+            // 704 is no multiple of a block's length.
             for count in [0, 16, 32, 256, 704] {
                 let [cos_theta, thickness_nm] = arguments(count, &odd);
                 for level in Level::all() {

@@ -2,25 +2,27 @@
 //! three-vectors and warps of the unit square. Nothing here knows about optics.
 
 mod arctangent;
+mod columns;
 mod elementary;
 mod error_function;
+mod lane;
 mod lanes;
 mod real;
 mod rgb;
 pub(crate) mod spline;
+mod table;
 mod vec3;
 pub mod warp;
 
 pub(crate) use arctangent::angle_turns;
+pub use columns::{Columns, ColumnsMut};
 pub(crate) use error_function::{erfcx, erfinv};
-#[cfg(target_arch = "x86_64")]
-pub(crate) use lanes::load_block;
+pub use lane::Lane;
 pub use lanes::{F64x4, Level, Work, widest};
 pub use real::{Mask, Real};
-#[cfg(not(target_arch = "x86_64"))]
-pub(crate) use rgb::load_block;
-pub use rgb::{Lane, TableBlock, TableEntry};
-pub(crate) use rgb::{each, weighted};
+pub(crate) use rgb::each;
+pub(crate) use table::INDEX_BIAS;
+pub use table::{TableBlock, TableEntry};
 pub use vec3::{Rgb, Vec3};
 
 /// The ratio of a circle's circumference to its diameter, as the formulas use it.

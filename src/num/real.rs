@@ -1,10 +1,10 @@
 //! `Real`: the number type that formulas are generic over.
 //!
-//! `f32` serves the calls of a renderer and `f64` is the oracle that tests compare with. The trait
-//! speaks in masks and selections, never in branches, so that a vector of lanes can implement it
-//! and every formula written once serves whole batches too.
+//! `f32` serves single calls, lanes of `f32` serve batches, and `f64` is the oracle that tests compare
+//! with. Comparisons return masks and `select` chooses between two computed values, so a formula has no
+//! branches and holds for every width.
 
-use super::elementary::{self, elementary_methods};
+use super::elementary;
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -12,7 +12,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 pub trait Mask:
     Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> + 'static
 {
-    /// Whether any lane is set: to leave out work that no lane needs, never to choose a formula.
+    /// Whether any lane is set. Used to skip work that no lane needs, never to choose a formula.
     fn any(self) -> bool;
 }
 
@@ -42,7 +42,7 @@ pub trait Real:
     /// One truth value per lane.
     type Mask: Mask;
 
-    /// The distance from 1 to the next number: how many terms of a series are worth their time.
+    /// The distance from 1 to the next number.
     const EPSILON: f64;
 
     /// The same constant in every lane, rounded once from double precision.
@@ -80,19 +80,42 @@ pub trait Real:
     /// Per lane: `yes` where the mask is set, `no` elsewhere. Both are already computed.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
+    /// Splits a positive normal number into m * 2^e with m in [sqrt(1/2), sqrt(2)).
+    fn split(self) -> (Self, Self);
+    /// 2^self for a whole number that is the exponent of a normal number.
+    fn power_of_two(self) -> Self;
+
     /// e^x for x <= 88; 0 below the least normal number's logarithm.
-    fn exp(self) -> Self;
-    /// e^x - 1 for x <= 88, keeping its digits near 0.
-    fn exp_m1(self) -> Self;
+    #[inline(always)]
+    fn exp(self) -> Self {
+        elementary::exp(self)
+    }
+    /// e^x - 1 for x <= 88, accurate near 0.
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        elementary::exp_m1(self)
+    }
     /// Natural logarithm of a normal number; -infinity at 0.
-    fn ln(self) -> Self;
-    /// ln(1 + x) for x >= -1, keeping its digits near 0.
-    fn ln_1p(self) -> Self;
-    /// cos(2 pi x) and sin(2 pi x). The argument counts turns, so that its whole part can be taken
-    /// off exactly: a phase of thousands of turns keeps all the digits that it arrived with.
-    fn cos_turns(self) -> Self;
+    #[inline(always)]
+    fn ln(self) -> Self {
+        elementary::ln(self)
+    }
+    /// ln(1 + x) for x >= -1, accurate near 0.
+    #[inline(always)]
+    fn ln_1p(self) -> Self {
+        elementary::ln_1p(self)
+    }
+    /// cos(2 pi x). The argument counts turns, so that its whole part can be subtracted exactly: a
+    /// phase of thousands of turns keeps all its digits.
+    #[inline(always)]
+    fn cos_turns(self) -> Self {
+        elementary::cos_turns(self)
+    }
     /// sin(2 pi x), as [`Real::cos_turns`].
-    fn sin_turns(self) -> Self;
+    #[inline(always)]
+    fn sin_turns(self) -> Self {
+        elementary::sin_turns(self)
+    }
 
     /// x^2
     #[inline(always)]
@@ -111,7 +134,16 @@ pub trait Real:
     }
 }
 
-/// What the two scalar instances share word for word.
+/// The bits of sqrt(1/2) in single precision: subtracted from a number's bits, they make the exponent
+/// field count from there, so that mantissas lie in [sqrt(1/2), sqrt(2)).
+pub(super) const SQRT_HALF_BITS: i32 = 0x3f35_04f3;
+
+/// 1.5 * 2^23 + 127: added to a whole number, it puts the number and the exponent's bias into the
+/// low bits of the mantissa; a shift moves them into the exponent field. No conversion with its checks
+/// for NaN and range is needed.
+pub(super) const EXPONENT_SHIFT: f64 = 12_582_912.0 + 127.0;
+
+/// The methods that both scalar instances share.
 macro_rules! scalar_operations {
     ($t:ty) => {
         type Mask = bool;
@@ -172,7 +204,16 @@ impl Real for f32 {
         let rounded = (self + shift) - shift;
         if self.abs() < WHOLE { rounded } else { self }
     }
-    elementary_methods!(exp, exp_m1, ln, ln_1p, cos_turns, sin_turns);
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        let above = (self.to_bits() as i32).wrapping_sub(SQRT_HALF_BITS);
+        let mantissa = f32::from_bits(((above & 0x007f_ffff) + SQRT_HALF_BITS) as u32);
+        (mantissa, (above >> 23) as f32)
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        f32::from_bits((self + EXPONENT_SHIFT as f32).to_bits() << 23)
+    }
 }
 
 impl Real for f64 {
@@ -181,6 +222,17 @@ impl Real for f64 {
     #[inline(always)]
     fn round(self) -> Self {
         self.round_ties_even()
+    }
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        const SQRT_HALF: i64 = std::f64::consts::FRAC_1_SQRT_2.to_bits() as i64;
+        let above = (self.to_bits() as i64).wrapping_sub(SQRT_HALF);
+        let mantissa = f64::from_bits(((above & ((1 << 52) - 1)) + SQRT_HALF) as u64);
+        (mantissa, (above >> 52) as f64)
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        f64::from_bits(((self as i64 + 1023) as u64) << 52)
     }
     #[inline(always)]
     fn exp(self) -> Self {

@@ -20,7 +20,8 @@ pub enum White {
 }
 
 impl White {
-    const NAMES: [(&'static str, Self); 2] = [("E", Self::E), ("D65", Self::D65)];
+    /// Every white by its name, the default first.
+    pub const NAMES: [(&'static str, Self); 2] = [("E", Self::E), ("D65", Self::D65)];
 
     /// The white called "E" or "D65".
     pub fn named(name: &str) -> Result<Self, Error> {
@@ -53,7 +54,8 @@ pub enum ColorSpace {
 }
 
 impl ColorSpace {
-    const NAMES: [(&'static str, Self); 4] = [
+    /// Every space by its name, the default first.
+    pub const NAMES: [(&'static str, Self); 4] = [
         ("rec709", Self::Rec709),
         ("rec2020", Self::Rec2020),
         ("acescg", Self::AcesCg),
@@ -127,7 +129,7 @@ impl ChannelWeights {
 ///
 /// Between the 5 nm entries by Sprague's polynomial of degree 5 (CIE 167:2005), which is within
 /// 4.9e-4 of the published 1 nm table where linear interpolation is off by 1.7e-2; the colours of
-/// films agree with those of the 1 nm table within 6e-5 (`tests/optics_color.rs`).
+/// films agree with those of the 1 nm table within 6e-5 (`tests/optics/color.rs`).
 pub fn matching_functions(wavelength_nm: f64) -> [f64; 3] {
     let (row, t) = locate(wavelength_nm);
     std::array::from_fn(|i| {

@@ -49,13 +49,18 @@ impl Named {
     }
 
     /// Every medium, in the order of the table.
-    pub fn all() -> &'static [Self] {
+    pub const fn all() -> &'static [Self] {
         &MEDIA
     }
 
     /// Whether it absorbs in the visible range.
     pub fn absorbs(&self) -> bool {
         matches!(self.formula, Formula::Chebyshev { k, .. } if !k.is_empty())
+    }
+
+    /// The wavelengths that its data cover, nm; outside them the index is constant.
+    pub fn range_nm(&self) -> [f64; 2] {
+        RANGE_NM
     }
 
     /// The index, if it is the same at every wavelength.

@@ -84,7 +84,7 @@ fn ten_million_values() {
                 .map(|i| direction(i, which))
                 .collect::<Vec<_>>()
         });
-        values(&bsdf, Level::chosen(), &wo, &wi, &Varying::default()).unwrap()
+        values(&bsdf, Level::widest(), &wo, &wi, &Varying::default()).unwrap()
     };
     let single = |i| value_pdf(&bsdf, direction(i, 0), direction(i, 3), None);
     let bits = |(value, pdf): &([f32; 3], f32)| (value.map(f32::to_bits), pdf.to_bits());
@@ -104,7 +104,7 @@ fn ten_million_samples() {
             numbers: range.flat_map(reflectance).collect(),
             components: vec![3],
         };
-        samples(&bsdf, Level::chosen(), &wo, &u, &varying).unwrap()
+        samples(&bsdf, Level::widest(), &wo, &u, &varying).unwrap()
     };
     let single = |i| sample(&bsdf, direction(i, 0), uniform(i), Some(&reflectance(i)));
     compare(batch, single, |a, b| {
@@ -120,7 +120,7 @@ fn ten_million_reflectances() {
     let point = |i| [number(i, 0), 600.0 * number(i, 1)];
     let batch = |range: Range<usize>| {
         let points: Vec<[f32; 2]> = range.map(point).collect();
-        reflectances(&film, Level::chosen(), &points).unwrap()
+        reflectances(&film, Level::widest(), &points).unwrap()
     };
     let single = |i| film.reflectance(point(i)[0], point(i)[1]);
     compare(batch, single, |a, b| {

@@ -18,7 +18,7 @@ pub fn compiled(description: &FilmDescription) -> Arc<Film> {
     Arc::new(Film::new(description).unwrap())
 }
 
-/// No layers yet.
+/// A base without layers.
 pub fn bare(base: Medium) -> FilmDescription {
     FilmDescription::new(base)
 }
@@ -42,7 +42,7 @@ pub fn tinted() -> FilmDescription {
     base.layer(constant(1.8, 0.1), [0.0, 500.0])
 }
 
-/// With its transmittance, and from its base's side.
+/// The film with its transmittance, seen from both sides.
 pub fn two_sided(description: FilmDescription) -> FilmDescription {
     FilmDescription {
         transmittance: true,
@@ -50,7 +50,7 @@ pub fn two_sided(description: FilmDescription) -> FilmDescription {
     }
 }
 
-/// Of the thickness that varies, nm; 0 if none does.
+/// Range of the thickness that varies, nm; [0, 0] if none does.
 pub fn range(film: &Film) -> [f32; 2] {
     film.varying_thickness_nm()
         .unwrap_or([0.0; 2])
@@ -65,12 +65,12 @@ pub fn difference(a: Rgb<f32>, b: Rgb<f32>) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// As a film returns it.
+/// A colour as a film returns it: clipped to [0, 1], in single precision.
 pub fn rounded(rgb: Rgb<f64>) -> Rgb<f32> {
     rgb.map(|x| x.clamp(0.0, 1.0) as f32)
 }
 
-/// What the films are good for.
+/// Films that stand for what they are used for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A coated lens, 0-600 nm, nothing disperses.
@@ -86,8 +86,8 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Those that are quick to evaluate: all but the prism's inner face, whose critical angles leave
-    /// no table, so that a colour takes half a millisecond.
+    /// The films that are quick to evaluate. The prism's inner face is not: its critical angles allow no table,
+    /// so that a colour takes half a millisecond.
     pub const QUICK: [Self; 4] = [Self::Lens, Self::Metal, Self::Bubble, Self::Sunglasses];
 
     pub const ALL: [Self; 5] = [

@@ -84,6 +84,57 @@ impl Patch {
         sum.map(|sum| sum * half(self.z) * half(self.phi))
     }
 
+    /// Those of the points (z, phi) that lie in the patch.
+    pub fn inside(self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let is_inside = |[z, phi]: &[f64; 2]| {
+            (self.z[0]..self.z[1]).contains(z) && (self.phi[0]..self.phi[1]).contains(phi)
+        };
+        points.iter().copied().filter(is_inside).collect()
+    }
+
+    /// As [`Self::integrate`], after the patch is quartered until the `points` in (z, phi) fill what they
+    /// lie in: a lobe that samples show cannot fall between the nodes of a rule, however narrow it is. The
+    /// points only choose where to look closely; any choice gives the same integral.
+    pub fn integrate_about<const N: usize>(
+        self,
+        f: &impl Fn(DVec3) -> [f64; N],
+        tolerance: f64,
+        depth: u32,
+        points: &[[f64; 2]],
+    ) -> [f64; N] {
+        /// Below the rounding of directions in single precision nothing narrower is to be found.
+        const LEAST_WIDTH: f64 = 1e-7;
+        /// Of the tolerance, for a quarter that has few points: little is left to integrate there.
+        const LEAST_SHARE: f64 = 0.1;
+        if self.is_filled(points) || self.z[1] - self.z[0] < LEAST_WIDTH {
+            return self.integrate(f, tolerance, depth);
+        }
+        let mut sum = [0.0; N];
+        for quarter in self.quarters() {
+            let inside = quarter.inside(points);
+            let share = (inside.len() as f64 / points.len() as f64).max(LEAST_SHARE);
+            let part = quarter.integrate_about(f, tolerance * share, depth, &inside);
+            for c in 0..N {
+                sum[c] += part[c];
+            }
+        }
+        sum
+    }
+
+    /// Whether the points are few, or spread over both halves of the patch in either coordinate.
+    fn is_filled(self, points: &[[f64; 2]]) -> bool {
+        const FEW: usize = 20;
+        /// A peak of which a half of the patch holds less of the points is resolved by the rules.
+        const MOST_IN_A_HALF: f64 = 0.9;
+        let middle = [self.z, self.phi].map(|[from, to]| (from + to) / 2.0);
+        points.len() < FEW
+            || [0, 1].into_iter().all(|axis| {
+                let upper = points.iter().filter(|point| point[axis] > middle[axis]);
+                let share = upper.count() as f64 / points.len() as f64;
+                (1.0 - MOST_IN_A_HALF..=MOST_IN_A_HALF).contains(&share)
+            })
+    }
+
     /// The integral per solid angle, to about the absolute `tolerance`. `depth` bounds how often
     /// the patch is quartered.
     pub fn integrate<const N: usize>(

@@ -1,4 +1,4 @@
-"""Prints tests/data/tmm_vectors.csv, for tests/optics_vectors.rs: R and T of layer stacks by the package tmm 0.2.0
+"""Prints tests/data/tmm_vectors.csv, for tests/optics/vectors.rs: R and T of layer stacks by the package tmm 0.2.0
 (S. Byrnes), and colours from those with the CIE 1931 1 nm table.
 
     python3 -m venv tmmenv && tmmenv/bin/pip install tmm==0.2.0 numpy

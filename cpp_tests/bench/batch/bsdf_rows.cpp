@@ -67,12 +67,12 @@ void add_diffuse(Builder &builder) {
     namespace narrow = vectorised::bits256;
     namespace wide = vectorised::bits512;
     const auto reflecting = [](const char *model) {
-        return pellicle::BsdfBuilder(model).set("reflectance", material::reflectance, 3);
+        return bsdfs::of(model).set("reflectance", material::reflectance, 3);
     };
     builder.add("lambert", reflecting("lambert").create(), rounding, nullptr,
                 [](Direction wo, Direction wi, float, float *value) { plain::lambert(wo, wi, value); },
                 narrow::lambert, wide::lambert);
-    builder.add("oren_nayar, full", reflecting("oren_nayar").set("sigma", material::sigma).create(), rounding,
+    builder.add("oren_nayar, full", reflecting("oren_nayar").set("sigma_radians", material::sigma).create(), rounding,
                 nullptr, [](Direction wo, Direction wi, float, float *value) { plain::oren_nayar(wo, wi, value); },
                 narrow::oren_nayar, wide::oren_nayar);
     builder.add("disney_diffuse", reflecting("disney_diffuse").set("roughness", material::disney_roughness).create(),
@@ -85,7 +85,7 @@ void add_lobes(Builder &builder) {
     namespace narrow = vectorised::bits256;
     namespace wide = vectorised::bits512;
     builder.add("phong",
-                pellicle::BsdfBuilder("phong")
+                bsdfs::of("phong")
                     .set("diffuse", material::phong_diffuse, 3)
                     .set("specular", material::phong_specular, 3)
                     .set("exponent", material::phong_exponent)
@@ -194,7 +194,7 @@ void add_metallic_roughness(Builder &builder) {
         };
     };
     builder.add("metallic_roughness",
-                pellicle::BsdfBuilder("metallic_roughness")
+                bsdfs::of("metallic_roughness")
                     .set("base_color", material::base_color, 3)
                     .set("metallic", material::metallic)
                     .set("roughness", material::roughness)

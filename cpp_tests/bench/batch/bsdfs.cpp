@@ -2,8 +2,20 @@
 
 namespace bsdfs {
 
+std::string simd_level;
+
+pellicle::BsdfBuilder of(const char *model) {
+    pellicle::BsdfBuilder builder(model);
+    return simd_level.empty() ? builder : builder.simd_level(simd_level);
+}
+
+pellicle::FilmBuilder on(pellicle::Medium base) {
+    pellicle::FilmBuilder builder(std::move(base));
+    return simd_level.empty() ? builder : builder.simd_level(simd_level);
+}
+
 pellicle::BsdfBuilder layered() {
-    return pellicle::BsdfBuilder("layered")
+    return of("layered")
         .set("eta", material::layer_eta, 3)
         .set("exponent_reflection", material::exponent_reflection)
         .set("exponent_transmission", material::exponent_transmission)
@@ -15,7 +27,7 @@ pellicle::BsdfBuilder layered() {
 }
 
 pellicle::BsdfBuilder ggx(const char *fresnel, float alpha) {
-    return pellicle::BsdfBuilder("microfacet").set("alpha", alpha).choose("fresnel", fresnel);
+    return of("microfacet").set("alpha", alpha).choose("fresnel", fresnel);
 }
 
 pellicle::Bsdf conductor() {
@@ -23,19 +35,19 @@ pellicle::Bsdf conductor() {
 }
 
 pellicle::Film coating() {
-    return pellicle::FilmBuilder(pellicle::Medium::constant(material::film_base_eta, material::film_base_k))
+    return on(pellicle::Medium::constant(material::film_base_eta, material::film_base_k))
         .layer(pellicle::Medium::constant(material::film_eta), 0.0f, material::greatest_nm)
         .create();
 }
 
 pellicle::Film soap() {
-    return pellicle::FilmBuilder(pellicle::Medium::constant(1.0f))
+    return on(pellicle::Medium::constant(1.0f))
         .layer(pellicle::Medium::constant(material::film_eta), 0.0f, material::greatest_nm)
         .create();
 }
 
 pellicle::Film fixed_soap() {
-    return pellicle::FilmBuilder(pellicle::Medium::constant(1.0f))
+    return on(pellicle::Medium::constant(1.0f))
         .layer(pellicle::Medium::constant(material::film_eta), material::fixed_nm)
         .create();
 }

@@ -7,6 +7,13 @@
 
 namespace bsdfs {
 
+// The SIMD level of everything that is made here; empty: the widest.
+extern std::string simd_level;
+
+// Of a model, or of a film on a base, at that level.
+pellicle::BsdfBuilder of(const char *model);
+pellicle::FilmBuilder on(pellicle::Medium base);
+
 pellicle::BsdfBuilder layered();
 pellicle::BsdfBuilder ggx(const char *fresnel, float alpha = material::alpha);
 pellicle::Bsdf conductor();

@@ -42,7 +42,7 @@ Work single(const pellicle::Bsdf &bsdf, const Elements &elements) {
     return [bsdf, &elements](std::size_t first, std::size_t) {
         float value[3];
         pellicle_bsdf_eval(bsdf.raw(), elements.wo.packed[first].data(), elements.wi.packed[first].data(), nullptr,
-                           value, nullptr);
+                           nullptr, value, nullptr, nullptr);
     };
 }
 

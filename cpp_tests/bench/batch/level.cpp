@@ -49,8 +49,8 @@ LowerLevel::LowerLevel(const std::string &level) {
         if (dup2(low, request_end) < 0 || dup2(high, answer_end) < 0) _exit(1);
         close(low);
         close(high);
-        setenv("PELLICLE_SIMD", level.c_str(), 1);
-        execl("/proc/self/exe", "pellicle_bench_batch", serve_argument, static_cast<char *>(nullptr));
+        execl("/proc/self/exe", "pellicle_bench_batch", serve_argument, level.c_str(),
+              static_cast<char *>(nullptr));
         _exit(1);
     }
     close(down[0]);

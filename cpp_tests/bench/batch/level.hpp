@@ -1,6 +1,5 @@
-// The library's levels of SIMD. It reads PELLICLE_SIMD once per process, so that every lower level is a process
-// of its own: a child that runs what the parent asks for and answers with its time. So levels take turns like
-// any other contenders.
+// The library's levels of SIMD. Every lower level is a process of its own: a child that runs what the parent
+// asks for and answers with its time. So levels take turns like any other contenders.
 #pragma once
 
 #include "row.hpp"
@@ -36,5 +35,5 @@ private:
 // What the child does: answers requests until there are no more. Returns the exit status.
 int serve_level(const std::vector<Row> &rows, Outputs &outputs);
 
-// The argument that makes a child.
+// The argument that makes a child; the name of its level follows.
 constexpr char serve_argument[] = "--serve-level";

@@ -1,6 +1,7 @@
 // Batches: what a call with many elements costs, beside one call each, plain C++, the same formulas vectorised by
 // the compiler, and copying. Prints Markdown. Fails only if results disagree, never on time.
 
+#include "bsdfs.hpp"
 #include "table.hpp"
 
 #include <pellicle.hpp>
@@ -66,11 +67,11 @@ int run() {
 } // namespace
 
 int main(int argc, char **argv) {
-    if (argc == 2 && std::strcmp(argv[1], serve_argument) == 0) {
+    if (argc == 3 && std::strcmp(argv[1], serve_argument) == 0) {
+        bsdfs::simd_level = argv[2];
         const Elements elements(element_count);
         Outputs outputs(element_count);
         return serve_level(all_rows(elements, outputs), outputs);
     }
-    unsetenv("PELLICLE_SIMD"); // the parent is the best level
     return run();
 }

@@ -24,7 +24,7 @@ Row &add(std::vector<Row> &rows, const char *name, const pellicle::Bsdf &bsdf, c
 } // namespace
 
 void add_sample_rows(std::vector<Row> &rows, const Elements &elements, Outputs &outputs) {
-    add(rows, "sample: lambert", pellicle::BsdfBuilder("lambert").create(), elements, outputs);
+    add(rows, "sample: lambert", bsdfs::of("lambert").create(), elements, outputs);
     add(rows, "sample: layered, paper", bsdfs::layered().create(), elements, outputs);
     Row &row = add(rows, "sample: ggx, conductor", bsdfs::conductor(), elements, outputs);
     row.work[plain_way] = [&elements, &outputs](std::size_t first, std::size_t count) {

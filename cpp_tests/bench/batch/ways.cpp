@@ -49,7 +49,7 @@ void add_values(Row &row, const pellicle::Bsdf &bsdf, const Elements &elements, 
     row.work[single_way] = [bsdf, &elements, &outputs, varying](std::size_t first, std::size_t count) {
         for (std::size_t i = first; i < first + count; ++i)
             pellicle_bsdf_eval(bsdf.raw(), elements.wo.packed[i].data(), elements.wi.packed[i].data(),
-                               varying ? varying + i : nullptr, outputs.values[i].data(), nullptr);
+                               varying ? varying + i : nullptr, nullptr, outputs.values[i].data(), nullptr, nullptr);
     };
     row.work[batch_way] = [bsdf, &elements, &outputs, varying](std::size_t first, std::size_t count) {
         PellicleEvalBatchArgs args{};
@@ -107,7 +107,7 @@ void add_samples(Row &row, const pellicle::Bsdf &bsdf, const Elements &elements,
         for (std::size_t i = first; i < first + count; ++i) {
             PellicleSample found;
             pellicle_bsdf_sample(bsdf.raw(), elements.wo.packed[i].data(), elements.u.packed[i].data(), nullptr,
-                                 &found, sizeof found);
+                                 nullptr, &found, sizeof found);
             outputs.samples[i] = {{found.wi[0], found.wi[1], found.wi[2]},
                                   found.pdf,
                                   {found.weight[0], found.weight[1], found.weight[2]}};

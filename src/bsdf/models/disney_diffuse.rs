@@ -10,11 +10,11 @@
 //! **Limits**: it returns more than it receives if the reflectance is near 1 and the roughness above
 //! 0.4: for reflectance 1 and roughness 1 by 3.6 % at normal incidence and 56 % at grazing angles.
 
-use super::cosine_lobe::{CosineLobe, Diffuse};
+use crate::bsdf::compiled::{Compiled, kernel};
 use crate::bsdf::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::{Mixture, Surfaces};
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
+use crate::bsdf::surface::Surface;
 use crate::bsdf::values::Values;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, each};
 
@@ -26,32 +26,42 @@ const ROUGHNESS: usize = 1;
 
 impl Model for DisneyDiffuse {
     const INFO: ModelInfo = ModelInfo {
-        name: c"disney_diffuse",
-        summary: c"Diffuse reflection fitted to measured materials: darker or brighter at grazing angles.",
-        source: c"Burley 2012, Physically-Based Shading at Disney, section 5.3",
+        name: "disney_diffuse",
+        summary: "Diffuse reflection fitted to measured materials: darker or brighter at grazing angles.",
+        source: "Burley 2012, Physically-Based Shading at Disney, section 5.3",
         params: &[
-            ParamInfo::rgb(c"reflectance", c"Fraction of light reflected, RGB, apart from grazing angles.", [0.0, 1.0], 0.5),
-            ParamInfo::number(c"roughness", c"0 darkens grazing angles, 1 brightens them.", [0.0, 1.0], 0.5),
+            ParamInfo::rgb(
+                "reflectance",
+                "Fraction of light reflected, RGB, apart from grazing angles.",
+                [0.0, 1.0],
+                0.5,
+            ),
+            ParamInfo::number(
+                "roughness",
+                "0 darkens grazing angles, 1 brightens them.",
+                [0.0, 1.0],
+                0.5,
+            ),
         ],
         lobes: &[LobeInfo::DIFFUSE],
         not_conserving: Some(Exception {
             cases: &[&[]],
-            reason: c"a reflectance near 1 with roughness above 0.4: up to 56 % too much at grazing angles",
+            reason: "a reflectance near 1 with roughness above 0.4: up to 56 % too much at grazing angles",
         }),
         ..ModelInfo::PLAIN
     };
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(DisneySurface {
             reflectance: values.rgb(REFLECTANCE),
             roughness: values.number(ROUGHNESS),
-        })))
+        }))
     }
 }
 
-/// The compiled model.
+/// The parameters, for one surface or one in each lane.
 #[derive(Clone, Copy)]
-pub struct Prepared<T> {
+pub struct DisneySurface<T> {
     reflectance: Rgb<T>,
     roughness: T,
 }
@@ -74,21 +84,21 @@ pub(super) fn greatest_albedo<T: Real>(roughness: T) -> T {
     T::new(1.0) + T::new(1.3) * above.squared() / (above + T::new(0.2))
 }
 
-impl<T: Precision> Surfaces<T> for Prepared<T> {
-    type Surface<'a, L: Lane<Scalar = T>> = CosineLobe<Prepared<L>>;
+impl<T: Precision> Compiled<T> for DisneySurface<T> {
+    type Surface<'a, L: Lane<Scalar = T>> = DisneySurface<L>;
 
     #[inline(always)]
-    fn surface<L: Lane<Scalar = T>>(&self) -> CosineLobe<Prepared<L>> {
-        CosineLobe(Prepared {
+    fn surface<L: Lane<Scalar = T>>(&self) -> DisneySurface<L> {
+        DisneySurface {
             reflectance: each!(self.reflectance, |channel| L::splat(channel)),
             roughness: L::splat(self.roughness),
-        })
+        }
     }
 }
 
-impl<T: Lane> Diffuse<T> for Prepared<T> {
+impl<L: Lane> Surface<L> for DisneySurface<L> {
     #[inline(always)]
-    fn vary(&mut self, param: usize, value: [T; 3]) {
+    fn vary(&mut self, param: usize, value: [L; 3]) {
         match param {
             REFLECTANCE => self.reflectance = value,
             _ => self.roughness = value[0],
@@ -96,7 +106,7 @@ impl<T: Lane> Diffuse<T> for Prepared<T> {
     }
 
     #[inline(always)]
-    fn value(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+    fn eval(&self, wo: Vec3<L>, wi: Vec3<L>) -> Rgb<L> {
         let value = value(self.roughness, wo, wi);
         each!(self.reflectance, |reflectance| reflectance * value)
     }

@@ -30,12 +30,15 @@
 //! better.
 
 use super::power_lobe::mean;
+use crate::bsdf::call::Transport;
 use crate::bsdf::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::kernel::{Direction, Kernel, Override};
-use crate::bsdf::mixture::{choose, only};
-use crate::bsdf::model::{Compiled, MAX_LOBES, Model, PerLobe, normalized};
+use crate::bsdf::job::{Direction, chosen_lobe, only, with_overrides};
+use crate::bsdf::kernel::Kernel;
+use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, normalized};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
+use crate::bsdf::varying::VaryingValues;
 use crate::film::{Film, MAX_THICKNESS_NM};
 use crate::num::{Real, Rgb, Vec3};
 use crate::optics::Interface;
@@ -55,17 +58,17 @@ const REFRACTION_NM: f64 = 550.0;
 
 impl Model for ThinFilm {
     const INFO: ModelInfo = ModelInfo {
-        name: c"film",
-        summary: c"Needs a film: a smooth surface coated with it, which reflects and, if the film keeps its transmittance and its base is transparent, transmits.",
-        source: c"Abeles 1950 and Macleod, Thin-Film Optical Filters, chapter 2; directions by Snell's law",
-        params: &[ParamInfo::number(c"thickness_nm", c"Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit(c"nm")],
+        name: "film",
+        summary: "Needs a film: a smooth surface coated with it, which reflects and, if the film keeps its transmittance and its base is transparent, transmits.",
+        source: "Abeles 1950 and Macleod, Thin-Film Optical Filters, chapter 2; directions by Snell's law",
+        params: &[ParamInfo::number("thickness_nm", "Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit("nm")],
         lobes: &[
             LobeInfo {
-                name: c"reflection",
+                name: "reflection",
                 flags: Flags::REFLECTION.with(Flags::DELTA),
             },
             LobeInfo {
-                name: c"transmission",
+                name: "transmission",
                 flags: Flags::TRANSMISSION.with(Flags::DELTA),
             },
         ],
@@ -78,15 +81,18 @@ impl Model for ThinFilm {
         &Self::INFO.lobes[..if transmits { 2 } else { 1 }]
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
         let film = values.film().expect("validation refuses a lack of it");
-        Ok(Box::new(Prepared {
+        Ok(Box::new(SmoothFilm {
             film: Arc::clone(film),
             thickness_nm: values.number(THICKNESS_NM),
-            passage: transmits(film).then(|| Passage::through(film)),
+            refraction: transmits(film).then(|| Refraction::through(film)),
         }))
     }
 }
+
+/// Told by the plan of a BSDF whose film could transmit.
+const LOST_IN_BASE: &str = "what enters the base is absorbed, as the film keeps no transmittance";
 
 /// Whether light crosses the film to where it can be seen.
 fn transmits(film: &Film) -> bool {
@@ -95,7 +101,7 @@ fn transmits(film: &Film) -> bool {
 
 /// How directions pass from one half-space into the other.
 #[derive(Clone, Copy)]
-struct Passage<T> {
+struct Refraction<T> {
     interface: Interface<T>,
     /// Index of the base over that of the ambient.
     eta: T,
@@ -103,7 +109,7 @@ struct Passage<T> {
     is_straight: bool,
 }
 
-impl<T: Precision> Passage<T> {
+impl<T: Precision> Refraction<T> {
     fn through(film: &Film) -> Self {
         let [ambient, base] = film
             .half_spaces()
@@ -134,11 +140,11 @@ impl<T: Precision> Passage<T> {
 }
 
 /// The compiled model.
-pub struct Prepared<T> {
+pub struct SmoothFilm<T> {
     film: Arc<Film>,
     thickness_nm: T,
     /// None if nothing is transmitted.
-    passage: Option<Passage<T>>,
+    refraction: Option<Refraction<T>>,
 }
 
 /// What becomes of light along one direction.
@@ -147,22 +153,24 @@ struct Split<T> {
     reflected: Rgb<T>,
     /// Power passed on.
     transmitted: Rgb<T>,
-    /// [`Passage::behind`]; none if nothing is passed on.
+    /// [`Refraction::behind`]; none if nothing is passed on.
     behind: Option<(Vec3<T>, T)>,
 }
 
-impl<T: Precision> Prepared<T> {
+impl<T: Precision> SmoothFilm<T> {
     #[inline(always)]
-    fn split(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Split<T> {
+    fn split(&self, overrides: &[(usize, [T; 3])], wo: Vec3<T>) -> Split<T> {
         // Nothing else varies.
-        let thickness = overrides.first().map_or(self.thickness_nm, |o| o.value[0]);
+        let thickness = overrides
+            .first()
+            .map_or(self.thickness_nm, |(_, value)| value[0]);
         let (cos_theta, thickness) = (wo.z.abs().to_f32(), thickness.to_f32());
-        let Some(passage) = &self.passage else {
+        let Some(refraction) = &self.refraction else {
             let reflectance = self.film.reflectance(cos_theta, thickness);
             return Split::new(reflectance, [0.0; 3], None);
         };
-        let behind = passage.behind(wo);
-        // It cannot fail: there is a passage only if the film keeps its transmittance.
+        let behind = refraction.behind(wo);
+        // It cannot fail: there is a refraction only if the film keeps its transmittance.
         let from = |side, cos| self.film.colors(side, cos, thickness).unwrap_or_default();
         if wo.z > T::new(0.0) {
             let colors = from(Side::Ambient, cos_theta);
@@ -189,24 +197,33 @@ impl<T: Precision> Split<T> {
         }
     }
 
-    /// The probability of each lobe, in proportion to the mean of its power over the channels.
+    /// The probability of each lobe that takes part, in proportion to the mean of its power over the channels.
     #[inline(always)]
-    fn selection(&self) -> PerLobe<T> {
+    fn choose(&self, lobes: LobeSet) -> PerLobe<T> {
         let mut shares = [T::new(0.0); MAX_LOBES];
-        shares[REFLECTION_LOBE] = mean(self.reflected);
-        shares[TRANSMISSION_LOBE] = mean(self.transmitted);
+        for (lobe, power) in [
+            (REFLECTION_LOBE, self.reflected),
+            (TRANSMISSION_LOBE, self.transmitted),
+        ] {
+            if lobes.contains(lobe) {
+                shares[lobe] = mean(power);
+            }
+        }
         normalized(shares)
     }
 
-    /// Radiance towards the viewer for radiance 1 of each lobe's light.
+    /// The throughput of a lobe: radiance towards the viewer for radiance 1 of the lobe's light, or the same
+    /// for importance.
     #[inline(always)]
-    fn radiance(&self, lobe: usize) -> Rgb<T> {
+    fn throughput(&self, lobe: usize, transport: Transport) -> Rgb<T> {
         if lobe == REFLECTION_LOBE {
             return self.reflected;
         }
-        let factor = self
-            .behind
-            .map_or(T::new(0.0), |(_, eta)| T::new(1.0) / eta.squared());
+        let factor = match (self.behind, transport) {
+            (Some((_, eta)), Transport::Radiance) => T::new(1.0) / eta.squared(),
+            (Some(_), Transport::Importance) => T::new(1.0),
+            (None, _) => T::new(0.0),
+        };
         self.transmitted.map(|channel| channel * factor)
     }
 }
@@ -215,40 +232,69 @@ fn in_precision<T: Real>(rgb: Rgb<f32>) -> Rgb<T> {
     rgb.map(|channel| T::new(f64::from(channel)))
 }
 
-impl<T: Precision> Kernel<T> for Prepared<T> {
+impl<T: Precision> Kernel<T> for SmoothFilm<T> {
+    fn sample(
+        &self,
+        wo: Vec3<T>,
+        u: [T; 3],
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+        transport: Transport,
+    ) -> Direction<T> {
+        let draw = |split: Split<T>| {
+            let shares = split.choose(lobes);
+            let lobe = only(&chosen_lobe(&shares, u[0]))?;
+            let (wi, eta) = if lobe == REFLECTION_LOBE {
+                (wo.mirrored(), T::new(1.0))
+            } else {
+                split.behind?
+            };
+            let throughput = split.throughput(lobe, transport);
+            Some(Direction {
+                wi,
+                pdf: T::new(0.0),
+                weight: throughput.map(|channel| channel / shares[lobe]),
+                eta,
+                lobe: T::new(lobe as f64),
+                lobe_probability: shares[lobe],
+            })
+        };
+        with_overrides(varying, |overrides| self.split(overrides, wo))
+            .and_then(draw)
+            .unwrap_or(Direction::none())
+    }
+
+    fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T> {
+        let sum = |split: Split<T>| {
+            let [r, t] = [REFLECTION_LOBE, TRANSMISSION_LOBE].map(|lobe| {
+                if lobes.contains(lobe) {
+                    split.throughput(lobe, Transport::Radiance)
+                } else {
+                    [T::new(0.0); 3]
+                }
+            });
+            std::array::from_fn(|channel| r[channel] + t[channel])
+        };
+        with_overrides(varying, |overrides| self.split(overrides, wo)).map_or([T::new(0.0); 3], sum)
+    }
+
     fn lobes(
         &self,
-        overrides: &[Override<T>],
         wo: Vec3<T>,
         _wi: Vec3<T>,
+        varying: &VaryingValues<T>,
     ) -> (PerLobe<T>, PerLobe<T>) {
-        let selection = self.split(overrides, wo).selection();
-        (selection, [T::new(0.0); MAX_LOBES])
+        let none = [T::new(0.0); MAX_LOBES];
+        let split = with_overrides(varying, |overrides| self.split(overrides, wo));
+        (split.map_or(none, |split| split.choose(LobeSet::ALL)), none)
     }
 
-    fn sample(&self, overrides: &[Override<T>], wo: Vec3<T>, u: [T; 3]) -> Option<Direction<T>> {
-        let split = self.split(overrides, wo);
-        let selection = split.selection();
-        let lobe = only(&choose(&selection, u[0]))?;
-        let (wi, eta) = if lobe == REFLECTION_LOBE {
-            (wo.mirrored(), T::new(1.0))
-        } else {
-            split.behind?
-        };
-        Some(Direction {
-            wi,
-            pdf: T::new(0.0),
-            weight: split
-                .radiance(lobe)
-                .map(|channel| channel / selection[lobe]),
-            eta,
-            lobe,
-        })
+    fn is_two_sided(&self) -> bool {
+        self.refraction.is_some()
     }
 
-    fn albedo(&self, overrides: &[Override<T>], wo: Vec3<T>) -> Rgb<T> {
-        let split = self.split(overrides, wo);
-        let [r, t] = [REFLECTION_LOBE, TRANSMISSION_LOBE].map(|lobe| split.radiance(lobe));
-        std::array::from_fn(|channel| r[channel] + t[channel])
+    fn plan(&self) -> Vec<&'static str> {
+        let is_lost = self.refraction.is_none() && !self.film.description().base.absorbs();
+        is_lost.then_some(LOST_IN_BASE).into_iter().collect()
     }
 }

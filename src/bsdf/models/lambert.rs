@@ -4,11 +4,11 @@
 //! not depend on the viewer. Use it for chalk, plaster and unvarnished wood; not for rough surfaces
 //! seen at grazing angles, which are flatter than this.
 
-use super::cosine_lobe::{CosineLobe, Diffuse};
+use crate::bsdf::compiled::{Compiled, kernel};
 use crate::bsdf::info::{LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::{Mixture, Surfaces};
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
+use crate::bsdf::surface::Surface;
 use crate::bsdf::values::Values;
 use crate::num::{Lane, PI, Rgb, Vec3, each};
 
@@ -19,12 +19,12 @@ const REFLECTANCE: usize = 0;
 
 impl Model for Lambert {
     const INFO: ModelInfo = ModelInfo {
-        name: c"lambert",
-        summary: c"Ideal diffuse reflection.",
-        source: c"Lambert 1760, Photometria",
+        name: "lambert",
+        summary: "Ideal diffuse reflection.",
+        source: "Lambert 1760, Photometria",
         params: &[ParamInfo::rgb(
-            c"reflectance",
-            c"Fraction of light reflected, RGB.",
+            "reflectance",
+            "Fraction of light reflected, RGB.",
             [0.0, 1.0],
             0.5,
         )],
@@ -32,42 +32,42 @@ impl Model for Lambert {
         ..ModelInfo::PLAIN
     };
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(LambertSurface {
             reflectance: values.rgb(REFLECTANCE),
-        })))
+        }))
     }
 }
 
-/// The compiled model.
+/// The parameters, for one surface or one in each lane.
 #[derive(Clone, Copy)]
-pub struct Prepared<T> {
+pub struct LambertSurface<T> {
     reflectance: Rgb<T>,
 }
 
-impl<T: Precision> Surfaces<T> for Prepared<T> {
-    type Surface<'a, L: Lane<Scalar = T>> = CosineLobe<Prepared<L>>;
+impl<T: Precision> Compiled<T> for LambertSurface<T> {
+    type Surface<'a, L: Lane<Scalar = T>> = LambertSurface<L>;
 
     #[inline(always)]
-    fn surface<L: Lane<Scalar = T>>(&self) -> CosineLobe<Prepared<L>> {
+    fn surface<L: Lane<Scalar = T>>(&self) -> LambertSurface<L> {
         let reflectance = each!(self.reflectance, |channel| L::splat(channel));
-        CosineLobe(Prepared { reflectance })
+        LambertSurface { reflectance }
     }
 }
 
-impl<T: Lane> Diffuse<T> for Prepared<T> {
+impl<L: Lane> Surface<L> for LambertSurface<L> {
     #[inline(always)]
-    fn vary(&mut self, _param: usize, value: [T; 3]) {
+    fn vary(&mut self, _param: usize, value: [L; 3]) {
         self.reflectance = value;
     }
 
     #[inline(always)]
-    fn value(&self, _wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
-        let factor = wi.z * T::new(1.0 / PI);
+    fn eval(&self, _wo: Vec3<L>, wi: Vec3<L>) -> Rgb<L> {
+        let factor = wi.z * L::new(1.0 / PI);
         each!(self.reflectance, |reflectance| reflectance * factor)
     }
 
-    fn closed_albedo(&self) -> Option<Rgb<T>> {
+    fn closed_albedo(&self) -> Option<Rgb<L>> {
         Some(self.reflectance)
     }
 }

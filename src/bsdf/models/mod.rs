@@ -1,6 +1,5 @@
 //! The scattering models, one file or folder each.
 
-pub(crate) mod cosine_lobe;
 pub(crate) mod disney_diffuse;
 pub(crate) mod film;
 pub(crate) mod lambert;

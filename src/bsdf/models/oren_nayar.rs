@@ -1,7 +1,7 @@
 //! # `oren_nayar`: a rough diffuse surface of V-shaped grooves
 //!
 //! Oren and Nayar 1994 ("Generalization of Lambert's Reflectance Model"): Lambertian facets in
-//! grooves whose slope angles are normally distributed with standard deviation `sigma`. Towards the
+//! grooves whose slope angles are normally distributed with standard deviation sigma, `sigma_radians`. Towards the
 //! light the surface looks brighter, and flatter than Lambert's. sigma = 0 is `lambert`. Use it for
 //! clay, cloth, concrete and the moon; give it a roughness of its own, as the grooves that make a
 //! highlight broad are smaller than light travels below the surface, and diffuse light does not see
@@ -34,11 +34,11 @@
 //! below 0.33; with a reflectance of 0.95 neither does. From sigma = 0.67 the full form falls below
 //! 0 where light and viewer graze the surface from opposite sides; it is held at 0 there.
 
-use super::cosine_lobe::{CosineLobe, Diffuse};
+use crate::bsdf::compiled::{Compiled, kernel};
 use crate::bsdf::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::{Mixture, Surfaces};
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
+use crate::bsdf::surface::Surface;
 use crate::bsdf::values::Values;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, angle_turns, each};
 
@@ -46,49 +46,64 @@ use crate::num::{Lane, PI, Real, Rgb, Vec3, angle_turns, each};
 pub struct OrenNayar;
 
 const REFLECTANCE: usize = 0;
-const SIGMA: usize = 1;
+const SIGMA_RADIANS: usize = 1;
 const FORM: usize = 2;
 
 const QUALITATIVE: usize = 1;
 
 impl Model for OrenNayar {
     const INFO: ModelInfo = ModelInfo {
-        name: c"oren_nayar",
-        summary: c"Diffuse reflection by a rough surface, flatter than Lambert's and brighter towards the light.",
-        source: c"Oren and Nayar 1994, Generalization of Lambert's Reflectance Model, section 4",
+        name: "oren_nayar",
+        summary: "Diffuse reflection by a rough surface, flatter than Lambert's and brighter towards the light.",
+        source: "Oren and Nayar 1994, Generalization of Lambert's Reflectance Model, section 4",
         params: &[
-            ParamInfo::rgb(c"reflectance", c"Fraction of light reflected by a facet, RGB.", [0.0, 1.0], 0.5),
-            ParamInfo::number(c"sigma", c"Standard deviation of the facets' slope angle; 0 is lambert.", [0.0, std::f32::consts::FRAC_PI_2], 0.35).in_unit(c"radians"),
-            ParamInfo::choice(c"form", c"The full fit with light between facets, or the paper's short one without.", &[c"full", c"qualitative"]),
+            ParamInfo::rgb(
+                "reflectance",
+                "Fraction of light reflected by a facet, RGB.",
+                [0.0, 1.0],
+                0.5,
+            ),
+            ParamInfo::number(
+                "sigma_radians",
+                "Standard deviation of the facets' slope angle; 0 is lambert.",
+                [0.0, std::f32::consts::FRAC_PI_2],
+                0.35,
+            )
+            .in_unit("radians"),
+            ParamInfo::choice(
+                "form",
+                "The full fit with light between facets, or the paper's short one without.",
+                &["full", "qualitative"],
+            ),
         ],
         lobes: &[LobeInfo::DIFFUSE],
         not_conserving: Some(Exception {
             cases: &[&[]],
-            reason: c"a reflectance near 1 with sigma below 0.63 (full) or 0.33 (qualitative): up to 5.1 % or 1.6 % too much at grazing angles",
+            reason: "a reflectance near 1 with sigma below 0.63 (full) or 0.33 (qualitative): up to 5.1 % or 1.6 % too much at grazing angles",
         }),
         ..ModelInfo::PLAIN
     };
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(OrenNayarSurface {
             reflectance: values.rgb(REFLECTANCE),
-            facets: Facets::new(values.number(SIGMA)),
+            grooves: Grooves::new(values.number(SIGMA_RADIANS)),
             is_qualitative: values.choice(FORM) == QUALITATIVE,
-        })))
+        }))
     }
 }
 
-/// The compiled model.
+/// The parameters, for one surface or one in each lane.
 #[derive(Clone, Copy)]
-pub struct Prepared<T> {
+pub struct OrenNayarSurface<T> {
     reflectance: Rgb<T>,
-    facets: Facets<T>,
+    grooves: Grooves<T>,
     is_qualitative: bool,
 }
 
 /// What depends on sigma alone.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Facets<T> {
+pub(super) struct Grooves<T> {
     /// C1
     constant: T,
     /// s / (s + 0.09)
@@ -111,11 +126,11 @@ fn sine<T: Real>(w: Vec3<T>) -> T {
     (w.x.squared() + w.y.squared()).sqrt()
 }
 
-impl<T: Lane<Scalar = T>> Facets<T> {
+impl<T: Lane<Scalar = T>> Grooves<T> {
     /// The same everywhere.
     #[inline(always)]
-    pub(super) fn splat<L: Lane<Scalar = T>>(&self) -> Facets<L> {
-        Facets {
+    pub(super) fn splat<L: Lane<Scalar = T>>(&self) -> Grooves<L> {
+        Grooves {
             constant: L::splat(self.constant),
             directional: L::splat(self.directional),
             mutual: L::splat(self.mutual),
@@ -123,7 +138,7 @@ impl<T: Lane<Scalar = T>> Facets<T> {
     }
 }
 
-impl<T: Lane> Facets<T> {
+impl<T: Lane> Grooves<T> {
     #[inline(always)]
     pub(super) fn new(sigma: T) -> Self {
         let s = sigma.squared();
@@ -181,34 +196,34 @@ impl<T: Lane> Facets<T> {
     }
 }
 
-impl<T: Precision> Surfaces<T> for Prepared<T> {
-    type Surface<'a, L: Lane<Scalar = T>> = CosineLobe<Prepared<L>>;
+impl<T: Precision> Compiled<T> for OrenNayarSurface<T> {
+    type Surface<'a, L: Lane<Scalar = T>> = OrenNayarSurface<L>;
 
     #[inline(always)]
-    fn surface<L: Lane<Scalar = T>>(&self) -> CosineLobe<Prepared<L>> {
-        CosineLobe(Prepared {
+    fn surface<L: Lane<Scalar = T>>(&self) -> OrenNayarSurface<L> {
+        OrenNayarSurface {
             reflectance: each!(self.reflectance, |channel| L::splat(channel)),
-            facets: self.facets.splat(),
+            grooves: self.grooves.splat(),
             is_qualitative: self.is_qualitative,
-        })
+        }
     }
 }
 
-impl<T: Lane> Diffuse<T> for Prepared<T> {
+impl<L: Lane> Surface<L> for OrenNayarSurface<L> {
     #[inline(always)]
-    fn vary(&mut self, param: usize, value: [T; 3]) {
+    fn vary(&mut self, param: usize, value: [L; 3]) {
         match param {
             REFLECTANCE => self.reflectance = value,
-            _ => self.facets = Facets::new(value[0]),
+            _ => self.grooves = Grooves::new(value[0]),
         }
     }
 
     #[inline(always)]
-    fn value(&self, wo: Vec3<T>, wi: Vec3<T>) -> Rgb<T> {
+    fn eval(&self, wo: Vec3<L>, wi: Vec3<L>) -> Rgb<L> {
         if self.is_qualitative {
-            self.facets.qualitative(self.reflectance, wo, wi)
+            self.grooves.qualitative(self.reflectance, wo, wi)
         } else {
-            T::channels(self.facets.full(T::rgb(self.reflectance), wo, wi))
+            L::channels(self.grooves.full(L::rgb(self.reflectance), wo, wi))
         }
     }
 }

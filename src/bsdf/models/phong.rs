@@ -17,10 +17,12 @@
 //! renderer that computes light between surfaces has that light already and leaves the term out.
 
 use super::power_lobe::{Power, conserving_normalization, estimated_integral, mean, sample_about};
+use crate::bsdf::compiled::{Compiled, kernel};
 use crate::bsdf::info::{LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::{Mixture, Surfaces};
-use crate::bsdf::model::{Compiled, MAX_LOBES, Model, PerLobe, Scattering};
+use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, normalized};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
+use crate::bsdf::surface::Surface;
 use crate::bsdf::values::{Bounds, Values};
 use crate::error::Error;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, each, warp};
@@ -37,28 +39,23 @@ const SPECULAR_LOBE: usize = 1;
 
 impl Model for Phong {
     const INFO: ModelInfo = ModelInfo {
-        name: c"phong",
-        summary: c"A diffuse part and a normalised highlight about the mirror direction.",
-        source: c"Phong 1975, normalised by Lafortune and Willems 1994, eq. 5 and 6",
+        name: "phong",
+        summary: "A diffuse part and a normalised highlight about the mirror direction.",
+        source: "Phong 1975, normalised by Lafortune and Willems 1994, eq. 5 and 6",
         params: &[
             ParamInfo::rgb(
-                c"diffuse",
-                c"Albedo of the diffuse part, RGB; diffuse + specular <= 1.",
+                "diffuse",
+                "Albedo of the diffuse part, RGB; diffuse + specular <= 1.",
                 [0.0, 1.0],
                 0.5,
             ),
             ParamInfo::rgb(
-                c"specular",
-                c"Albedo of the highlight at normal incidence, RGB.",
+                "specular",
+                "Albedo of the highlight at normal incidence, RGB.",
                 [0.0, 1.0],
                 0.25,
             ),
-            ParamInfo::number(
-                c"exponent",
-                c"Sharpness of the highlight.",
-                [0.0, 1e5],
-                50.0,
-            ),
+            ParamInfo::number("exponent", "Sharpness of the highlight.", [0.0, 1e5], 50.0),
         ],
         lobes: &[LobeInfo::DIFFUSE, LobeInfo::SPECULAR],
         ..ModelInfo::PLAIN
@@ -79,8 +76,8 @@ impl Model for Phong {
         Ok(())
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared {
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(PhongSurface {
             diffuse: values.rgb(DIFFUSE),
             specular: values.rgb(SPECULAR),
             exponent: values.number(EXPONENT),
@@ -89,25 +86,25 @@ impl Model for Phong {
             } else {
                 Power::of(values.number(EXPONENT))
             },
-        })))
+        }))
     }
 }
 
-/// The compiled model.
+/// The parameters, for one surface or one in each lane.
 #[derive(Clone, Copy)]
-pub struct Prepared<T> {
+pub struct PhongSurface<T> {
     diffuse: Rgb<T>,
     specular: Rgb<T>,
     exponent: T,
     power: Power<T>,
 }
 
-impl<T: Precision> Surfaces<T> for Prepared<T> {
-    type Surface<'a, L: Lane<Scalar = T>> = Prepared<L>;
+impl<T: Precision> Compiled<T> for PhongSurface<T> {
+    type Surface<'a, L: Lane<Scalar = T>> = PhongSurface<L>;
 
     #[inline(always)]
-    fn surface<L: Lane<Scalar = T>>(&self) -> Prepared<L> {
-        Prepared {
+    fn surface<L: Lane<Scalar = T>>(&self) -> PhongSurface<L> {
+        PhongSurface {
             diffuse: each!(self.diffuse, |channel| L::splat(channel)),
             specular: each!(self.specular, |channel| L::splat(channel)),
             exponent: L::splat(self.exponent),
@@ -124,7 +121,7 @@ impl<T: Precision> Surfaces<T> for Prepared<T> {
     }
 }
 
-impl<T: Real> Prepared<T> {
+impl<T: Real> PhongSurface<T> {
     /// Value, and cos^e for the density.
     #[inline(always)]
     fn value_and_power(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
@@ -140,7 +137,7 @@ impl<T: Real> Prepared<T> {
     }
 }
 
-impl<T: Lane> Scattering<T> for Prepared<T> {
+impl<T: Lane> Surface<T> for PhongSurface<T> {
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [T; 3]) {
         match param {
@@ -150,6 +147,17 @@ impl<T: Lane> Scattering<T> for Prepared<T> {
                 self.exponent = value[0];
                 self.power = Power::of_any(value[0]);
             }
+        }
+    }
+
+    #[inline(always)]
+    fn retain(&mut self, lobes: LobeSet) {
+        let zero = [T::new(0.0); 3];
+        if !lobes.contains(DIFFUSE_LOBE) {
+            self.diffuse = zero;
+        }
+        if !lobes.contains(SPECULAR_LOBE) {
+            self.specular = zero;
         }
     }
 
@@ -168,14 +176,14 @@ impl<T: Lane> Scattering<T> for Prepared<T> {
     }
 
     #[inline(always)]
-    fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+    fn choose(&self, wo: Vec3<T>) -> PerLobe<T> {
         let normalization = conserving_normalization(self.exponent);
         let specular =
             mean(self.specular) * normalization * estimated_integral(self.exponent, wo.z);
         let mut shares = [T::new(0.0); MAX_LOBES];
         shares[DIFFUSE_LOBE] = mean(self.diffuse);
         shares[SPECULAR_LOBE] = specular;
-        crate::bsdf::model::normalized(shares)
+        normalized(shares)
     }
 
     #[inline(always)]

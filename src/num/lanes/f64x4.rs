@@ -10,7 +10,7 @@ pub struct F64x4([f64; F64x4::COUNT]);
 
 /// A truth value per number: all bits set or none.
 #[derive(Clone, Copy, Debug)]
-pub struct DoublesMask([u64; F64x4::COUNT]);
+pub struct F64Mask([u64; F64x4::COUNT]);
 
 /// 1.5 * 2^52: adding it rounds to a whole number, which is then in the lowest bits.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
@@ -56,7 +56,7 @@ impl F64x4 {
     }
 
     #[inline(always)]
-    fn compare(self, other: Self, holds: impl Fn(f64, f64) -> bool) -> DoublesMask {
+    fn compare(self, other: Self, holds: impl Fn(f64, f64) -> bool) -> F64Mask {
         let bits = |i: usize| {
             if holds(self.0[i], other.0[i]) {
                 u64::MAX
@@ -64,7 +64,7 @@ impl F64x4 {
                 0
             }
         };
-        DoublesMask(std::array::from_fn(bits))
+        F64Mask(std::array::from_fn(bits))
     }
 
     /// Cosine and sine of 2 pi x to 1e-11, for |x| < 2^50: Taylor's series about the nearest quarter of a
@@ -99,7 +99,7 @@ impl F64x4 {
             1.0,
         ]);
         let quarter: [u64; Self::COUNT] = shifted.0.map(f64::to_bits);
-        let is_odd = DoublesMask(quarter.map(|q| 0u64.wrapping_sub(q & 1)));
+        let is_odd = F64Mask(quarter.map(|q| 0u64.wrapping_sub(q & 1)));
         let sign = |x: Self| {
             let flipped = |i: usize| f64::from_bits(x.0[i].to_bits() ^ ((quarter[i] & 2) << 62));
             Self(std::array::from_fn(flipped))
@@ -136,7 +136,7 @@ impl Neg for F64x4 {
     }
 }
 
-impl BitAnd for DoublesMask {
+impl BitAnd for F64Mask {
     type Output = Self;
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
@@ -144,7 +144,7 @@ impl BitAnd for DoublesMask {
     }
 }
 
-impl BitOr for DoublesMask {
+impl BitOr for F64Mask {
     type Output = Self;
     #[inline(always)]
     fn bitor(self, other: Self) -> Self {
@@ -152,7 +152,7 @@ impl BitOr for DoublesMask {
     }
 }
 
-impl Not for DoublesMask {
+impl Not for F64Mask {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
@@ -160,7 +160,7 @@ impl Not for DoublesMask {
     }
 }
 
-impl Mask for DoublesMask {
+impl Mask for F64Mask {
     #[inline(always)]
     fn any(self) -> bool {
         let [a, b, c, d] = self.0;
@@ -169,7 +169,7 @@ impl Mask for DoublesMask {
 }
 
 impl Real for F64x4 {
-    type Mask = DoublesMask;
+    type Mask = F64Mask;
     const EPSILON: f64 = f64::EPSILON;
 
     #[inline(always)]
@@ -197,23 +197,23 @@ impl Real for F64x4 {
         self.map(Real::round)
     }
     #[inline(always)]
-    fn is_finite(self) -> DoublesMask {
+    fn is_finite(self) -> F64Mask {
         self.abs().lt(Self::new(f64::INFINITY))
     }
     #[inline(always)]
-    fn lt(self, other: Self) -> DoublesMask {
+    fn lt(self, other: Self) -> F64Mask {
         self.compare(other, |a, b| a < b)
     }
     #[inline(always)]
-    fn le(self, other: Self) -> DoublesMask {
+    fn le(self, other: Self) -> F64Mask {
         self.compare(other, |a, b| a <= b)
     }
     #[inline(always)]
-    fn equals(self, other: Self) -> DoublesMask {
+    fn equals(self, other: Self) -> F64Mask {
         self.compare(other, |a, b| a == b)
     }
     #[inline(always)]
-    fn select(mask: DoublesMask, yes: Self, no: Self) -> Self {
+    fn select(mask: F64Mask, yes: Self, no: Self) -> Self {
         let chosen = |i: usize| {
             let (yes, no) = (yes.0[i].to_bits(), no.0[i].to_bits());
             f64::from_bits((yes & mask.0[i]) | (no & !mask.0[i]))
@@ -237,6 +237,18 @@ impl Real for F64x4 {
         // The whole number is in the lowest bits, from where a shift lifts it into the exponent.
         let power = shifted.map(|s| f64::from_bits((s.to_bits().wrapping_add(1023)) << 52));
         Self::select(self.lt(least), Self::new(0.0), sum * power)
+    }
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        let parts = self.0.map(Real::split);
+        (
+            Self(parts.map(|part| part.0)),
+            Self(parts.map(|part| part.1)),
+        )
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        self.map(Real::power_of_two)
     }
     #[inline(always)]
     fn exp_m1(self) -> Self {

@@ -1,41 +1,40 @@
-//! The sets of instructions, and work that runs with any of them.
+//! Sets of instructions chosen at run time, and work that runs with any of them.
 
 use super::super::Lane;
-use super::f32_lanes::{F32Lanes, Instructions};
-use std::sync::OnceLock;
+use super::f32_lanes::F32Lanes;
+use super::instructions::Instructions;
+use crate::error::Error;
 
-/// Work on numbers in single precision, as many at once as there may be.
+/// Work that is written once for lanes of every width.
 pub trait Work<T> {
-    /// What comes of it.
+    /// The result.
     type Output;
-    /// Does it with `L` numbers side by side. Must be `#[inline(always)]`, as must all that it calls and
-    /// that should be fast: only what is inlined uses the instructions.
+    /// Does the work with `L::COUNT` numbers side by side. This and everything that it calls in its inner
+    /// loops must be `#[inline(always)]`: only inlined code uses the instructions.
     fn run<L: Lane<Scalar = T>>(self) -> Self::Output;
 }
 
 /// A set of instructions that this processor has.
 #[derive(Clone, Copy, Debug)]
-pub struct Level(fearless_simd::Level);
+pub struct Level(Width);
 
-/// Environment variable that may lower the level: for tests.
-const VARIABLE: &str = "PELLICLE_SIMD";
+#[derive(Clone, Copy, Debug)]
+enum Width {
+    Single,
+    Lanes(fearless_simd::Level),
+}
 
 impl Level {
-    /// The widest, or the one that the environment variable `PELLICLE_SIMD` names, if it is narrower:
-    /// looked up once per process, which allocates: by create(), not by what evaluates.
-    pub fn chosen() -> Self {
-        static CHOSEN: OnceLock<Level> = OnceLock::new();
-        *CHOSEN.get_or_init(|| {
-            let asked = std::env::var(VARIABLE).ok();
-            let all = Self::all();
-            let named = all
-                .iter()
-                .find(|level| Some(level.name()) == asked.as_deref());
-            *named.unwrap_or(&all[all.len() - 1])
-        })
+    /// One number at a time: what single calls use.
+    pub const SCALAR: Self = Self(Width::Single);
+
+    /// The widest that this processor has.
+    pub fn widest() -> Self {
+        Self(Width::Lanes(fearless_simd::Level::new()))
     }
 
-    /// All that this processor has, the narrowest first.
+    /// All that this processor has, the narrowest first, without [`Level::SCALAR`] where there are wider
+    /// ones.
     pub fn all() -> Vec<Self> {
         let best = fearless_simd::Level::new();
         #[cfg(target_arch = "x86_64")]
@@ -45,34 +44,57 @@ impl Level {
                 best.as_avx2().map(fearless_simd::Level::Avx2),
                 best.as_avx512().map(fearless_simd::Level::Avx512),
             ];
-            narrower.into_iter().flatten().map(Self).collect()
+            let levels = narrower.into_iter().flatten();
+            levels.map(|level| Self(Width::Lanes(level))).collect()
         }
         #[cfg(not(target_arch = "x86_64"))]
-        vec![Self(best)]
+        vec![Self(Width::Lanes(best))]
     }
 
-    /// "sse2", "avx2", "avx512", "neon", or "scalar" where there is none of them.
+    /// The level of that [`Level::name`].
+    ///
+    /// # Errors
+    /// `UnknownName`, if this processor has none of that name; the message lists those that it has.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        let levels = || std::iter::once(Self::SCALAR).chain(Self::all());
+        let found = levels().find(|level| level.name() == name);
+        found.ok_or_else(|| Error::unknown("simd_level", name, levels().map(Self::name)))
+    }
+
+    /// "scalar", "sse2", "avx2", "avx512" or "neon".
     pub fn name(self) -> &'static str {
         use fearless_simd::Level as Found;
         match self.0 {
+            Width::Single => "scalar",
             #[cfg(target_arch = "x86_64")]
-            Found::Avx512(_) => "avx512",
+            Width::Lanes(Found::Avx512(_)) => "avx512",
             #[cfg(target_arch = "x86_64")]
-            Found::Avx2(_) => "avx2",
+            Width::Lanes(Found::Avx2(_)) => "avx2",
             #[cfg(target_arch = "x86_64")]
-            _ => "sse2",
+            Width::Lanes(_) => "sse2",
             #[cfg(target_arch = "aarch64")]
-            Found::Neon(_) => "neon",
+            Width::Lanes(Found::Neon(_)) => "neon",
             #[cfg(not(target_arch = "x86_64"))]
-            _ => "scalar",
+            Width::Lanes(_) => "scalar",
         }
     }
 
+    /// Whether it is one number at a time.
+    pub fn is_scalar(self) -> bool {
+        self.name() == "scalar"
+    }
+
     /// Does the work with these instructions.
+    ///
+    /// # Panics
+    /// At the level "scalar", for which single calls are made: no loop is compiled for it.
     #[inline]
     pub fn run<W: Work<f32>>(self, work: W) -> W::Output {
         use fearless_simd::Level as Found;
-        match self.0 {
+        let Width::Lanes(found) = self.0 else {
+            panic!("no loop is compiled for the level \"scalar\"");
+        };
+        match found {
             #[cfg(target_arch = "x86_64")]
             Found::Avx512(token) => run_with(token, work),
             #[cfg(target_arch = "x86_64")]
@@ -81,7 +103,7 @@ impl Level {
             Found::Sse2(token) => run_with(token, work),
             #[cfg(target_arch = "aarch64")]
             Found::Neon(token) => run_with(token, work),
-            _ => work.run::<f32>(),
+            _ => panic!("no loop is compiled for the level \"scalar\""),
         }
     }
 }

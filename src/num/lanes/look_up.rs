@@ -1,27 +1,33 @@
-//! Entries of tables for all places at once, and their weighted sums.
+//! Table look-ups in lanes: entries, and weighted sums of entries.
 //!
-//! Every sum is, for each place, that of a single look-up: the same products, added in the same order.
+//! In each lane the sum is that of a single look-up: the same products, added in the same order.
 
 #![allow(unsafe_code)]
 
-use super::super::rgb::{TableBlock, Triple, each, weighted};
-use super::super::{Real, TableEntry};
-use super::f32_lanes::{F32Lanes, Instructions, MOST};
+use super::super::lane::triple_methods;
+use super::super::rgb::{Triple, each};
+use super::super::table::{INDEX_BIAS, TableBlock, TableEntry, unbiased, weighted};
+use super::super::{Lane, Real};
+use super::f32_lanes::F32Lanes;
+use super::instructions::{Instructions, MAX_LANES};
 use fearless_simd::prelude::*;
 
-/// Four numbers of [`TableEntry`]'s kind, of each place: one register for each number.
+/// The four numbers of each lane's table entry, one register for each number.
 type Numbers<S> = [F32Lanes<S>; 4];
 
-/// [`whole`](super::super::rgb::whole) of each place.
+/// [`unbiased`] of each lane.
 #[inline(always)]
-fn whole<S: Instructions>(numbers: F32Lanes<S>) -> S::u32s {
-    let counted: S::u32s = (numbers + F32Lanes::new(8_388_608.0)).0.bitcast();
-    counted & 0x007f_ffff
+fn unbiased_lanes<S: Instructions>(biased: F32Lanes<S>) -> S::u32s {
+    let bits: S::u32s = biased.0.bitcast();
+    bits & 0x007f_ffff
 }
 
-/// The indices, if each has `after` more entries after it in a table of `length`.
+/// The indices, after checking that each has at least `after` entries behind it in a table of `length`.
+///
+/// # Panics
+/// If one has not.
 #[inline(always)]
-fn within<S: Instructions>(index: S::u32s, after: usize, length: usize) -> [u32; MOST] {
+fn within<S: Instructions>(index: S::u32s, after: usize, length: usize) -> [u32; MAX_LANES] {
     let Some(last) = length.checked_sub(after + 1) else {
         outside()
     };
@@ -29,16 +35,85 @@ fn within<S: Instructions>(index: S::u32s, after: usize, length: usize) -> [u32;
     if index.simd_gt(last).any_true() {
         outside();
     }
-    let mut indices = [0; MOST];
+    let mut indices = [0; MAX_LANES];
     index.store_slice(&mut indices[..S::u32s::LEN]);
     indices
 }
 
-/// Without arguments, which every call would have to get ready.
+/// Takes no arguments: callers would have to prepare them in the fast path.
 #[cold]
 #[inline(never)]
 fn outside() -> ! {
     panic!("entries outside a table")
+}
+
+impl<S: Instructions> Lane for F32Lanes<S> {
+    type Rgb = Triple<Self>;
+    type Scalar = f32;
+    const COUNT: usize = S::f32s::LEN;
+
+    #[inline(always)]
+    fn splat(number: f32) -> Self {
+        Self(S::f32s::simd_from(S::TOKEN, number))
+    }
+    #[inline(always)]
+    fn outlined<R>(work: impl FnOnce() -> R) -> R {
+        S::TOKEN.vectorize(work)
+    }
+    #[inline(always)]
+    fn load(numbers: &[f32]) -> Self {
+        Self(S::f32s::from_slice(S::TOKEN, numbers))
+    }
+    #[inline(always)]
+    fn store(self, numbers: &mut [f32]) {
+        self.0.store_slice(numbers);
+    }
+    triple_methods!();
+
+    #[inline(always)]
+    fn load_entry<const N: usize>(table: &[[f32; N]], index: Self) -> [Self; N] {
+        let last = Self::new((table.len() - 1) as f64);
+        let index = index.max(Self::new(0.0)).min(last);
+        let mut found = [index; N];
+        if let Some(table) = fours(table) {
+            for (number, of_entry) in found.iter_mut().zip(entries(table, index)) {
+                *number = of_entry;
+            }
+            return found;
+        }
+        let mut numbers = [[0.0; MAX_LANES]; N];
+        for (place, index) in index.0.as_slice().iter().enumerate() {
+            for (numbers, number) in numbers
+                .iter_mut()
+                .zip(table[unbiased(*index + INDEX_BIAS as f32)])
+            {
+                numbers[place] = number;
+            }
+        }
+        for (number, numbers) in found.iter_mut().zip(&numbers) {
+            *number = Self::load(&numbers[..Self::COUNT]);
+        }
+        found
+    }
+    #[inline(always)]
+    fn weighted_row(table: &[TableEntry<f32>], first: Self, weights: [Self; 3]) -> Triple<Self> {
+        weighted_row(table, first, weights)
+    }
+    #[inline(always)]
+    fn weighted_block(
+        table: &[TableEntry<f32>],
+        stride: usize,
+        block: TableBlock<Self>,
+    ) -> Triple<Self> {
+        weighted_block(table, stride, block)
+    }
+}
+
+/// The same table, if its entries are four numbers.
+#[inline(always)]
+fn fours<const N: usize>(table: &[[f32; N]]) -> Option<&[[f32; 4]]> {
+    let (entries, rest) = table.as_flattened().as_chunks();
+    (N == 4 && rest.is_empty()).then_some(entries)
 }
 
 /// [`Lane::weighted_row`](super::super::Lane::weighted_row)
@@ -48,7 +123,7 @@ pub(super) fn weighted_row<S: Instructions>(
     first: F32Lanes<S>,
     weights: [F32Lanes<S>; 3],
 ) -> Triple<F32Lanes<S>> {
-    let index = within::<S>(whole(first), 2, table.len());
+    let index = within::<S>(unbiased_lanes(first), 2, table.len());
     let weights = each!(weights, |weight| S::TOKEN.spread(weight.0));
     let start = table.as_ptr().cast();
     // SAFETY: `within` has found them all in the table.
@@ -75,7 +150,10 @@ pub(super) fn weighted_block<S: Instructions>(
     if stride >= table.len() {
         outside();
     }
-    let [column, row] = [whole(block.first[0]), whole(block.first[1])];
+    let [column, row] = [
+        unbiased_lanes(block.first[0]),
+        unbiased_lanes(block.first[1]),
+    ];
     // What wraps is still an index, if another one.
     let index = within::<S>(row * stride as u32 + column, 2 * stride + 2, table.len());
     let across = each!(block.across, |weight| S::TOKEN.spread(weight.0));
@@ -94,14 +172,14 @@ pub(super) fn weighted_block<S: Instructions>(
     Triple([r, g, b])
 }
 
-/// The entries of the places whose number within their quads is `n`.
+/// The weighted sum of three entries for the lanes n of all quads.
 ///
 /// # Safety
 /// Each index and the two after it must be in the table that begins at `start`.
 #[inline(always)]
 unsafe fn row_sum<S: Instructions>(
     start: *const [f32; 4],
-    index: &[u32; MOST],
+    index: &[u32; MAX_LANES],
     n: usize,
     weights: &[[S::f32s; 4]; 3],
 ) -> F32Lanes<S> {
@@ -121,7 +199,7 @@ unsafe fn row_sum<S: Instructions>(
 unsafe fn block_sum<S: Instructions>(
     start: *const [f32; 4],
     stride: usize,
-    index: &[u32; MOST],
+    index: &[u32; MAX_LANES],
     n: usize,
     across: &[[S::f32s; 4]; 3],
     along: &[[S::f32s; 4]; 3],
@@ -137,10 +215,14 @@ unsafe fn block_sum<S: Instructions>(
     weighted(rows, each!(along, |weight| F32Lanes::<S>(weight[n])))
 }
 
-/// The four numbers of each place's entry, which must be in the table.
+/// The four numbers of each lane's entry.
 #[inline(always)]
 pub(super) fn entries<S: Instructions>(table: &[[f32; 4]], index: F32Lanes<S>) -> Numbers<S> {
-    let index = within::<S>(whole(index), 0, table.len());
+    let index = within::<S>(
+        unbiased_lanes(index + F32Lanes::new(INDEX_BIAS)),
+        0,
+        table.len(),
+    );
     let start = table.as_ptr();
     // SAFETY: `within` has found them all in the table.
     let found = unsafe {
@@ -162,7 +244,7 @@ fn transposed<S: Instructions>([a, b, c, d]: Numbers<S>) -> Numbers<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::{Lane, Level, Work};
+    use super::super::{Level, Work};
     use super::*;
     use std::panic::catch_unwind;
 
@@ -186,23 +268,24 @@ mod tests {
         fours: &'a [[f32; 4]],
         threes: &'a [[f32; 3]],
         /// Column, row and index for the plain entries.
-        first: [[f32; MOST]; 3],
-        weights: [[f32; MOST]; 6],
+        first: [[f32; MAX_LANES]; 3],
+        weights: [[f32; MAX_LANES]; 6],
     }
 
     /// By method and number of the place: a row's sum, a block's, and entries of four and three.
-    type Found = [[f32; MOST]; 13];
+    type Found = [[f32; MAX_LANES]; 13];
 
     impl Work<f32> for Sixteen<'_> {
         type Output = Found;
 
         #[inline(always)]
         fn run<L: Lane<Scalar = f32>>(self) -> Found {
-            let mut found = [[0.0; MOST]; 13];
-            for from in (0..MOST).step_by(L::COUNT) {
+            let mut found = [[0.0; MAX_LANES]; 13];
+            for from in (0..MAX_LANES).step_by(L::COUNT) {
                 let places = from..from + L::COUNT;
-                let load = |numbers: &[f32; MOST]| L::load(&numbers[places.clone()]);
+                let load = |numbers: &[f32; MAX_LANES]| L::load(&numbers[places.clone()]);
                 let [column, row, index] = self.first.each_ref().map(load);
+                let [column, row] = [column, row].map(|number| number + L::new(INDEX_BIAS));
                 let [a, b, c, d, e, f] = self.weights.each_ref().map(load);
                 let block = TableBlock {
                     first: [column, row],
@@ -253,7 +336,7 @@ mod tests {
             std::array::from_fn(|i| (i * 2 % 3) as f32),
             std::array::from_fn(|i| held[i % 8]),
         ];
-        let weights: [[f32; MOST]; 6] = [0, 1, 2, 3, 4, 5]
+        let weights: [[f32; MAX_LANES]; 6] = [0, 1, 2, 3, 4, 5]
             .map(|w| std::array::from_fn(|i| ((i * 7 + w * 5) % 23) as f32 / 19.0));
         for level in Level::all() {
             let found = level.run(Sixteen {
@@ -263,7 +346,7 @@ mod tests {
                 first,
                 weights,
             });
-            for i in 0..MOST {
+            for i in 0..MAX_LANES {
                 let name = level.name();
                 let [column, row] = [first[0][i] as usize, first[1][i] as usize];
                 let sum = |from: usize, c: usize| {
@@ -299,10 +382,10 @@ mod tests {
     fn outside_panics() {
         let table = table();
         for level in Level::all() {
-            for place in 0..MOST {
+            for place in 0..MAX_LANES {
                 // The last row's third column from the end, and the one after it.
                 for (column, is_inside) in [(STRIDE - 3, true), (STRIDE - 2, false)] {
-                    let mut first = [[0.0; MOST]; 3];
+                    let mut first = [[0.0; MAX_LANES]; 3];
                     first[0][place] = column as f32;
                     first[1][place] = 2.0;
                     let work = Sixteen {
@@ -310,7 +393,7 @@ mod tests {
                         fours: &[[0.0; 4]],
                         threes: &[[0.0; 3]],
                         first,
-                        weights: [[0.5; MOST]; 6],
+                        weights: [[0.5; MAX_LANES]; 6],
                     };
                     let outcome = catch_unwind(|| level.run(work));
                     assert_eq!(

@@ -1,16 +1,14 @@
-//! The SIMD types. Of them only [`F64x4`] is named outside this folder.
+//! The SIMD types. Only [`F64x4`] is named outside this folder.
 
 mod dispatch;
 mod f32_lanes;
 mod f64x4;
+mod instructions;
 mod level;
 mod look_up;
-mod quad_ops;
 #[cfg(target_arch = "x86_64")]
 mod rgb_sse2;
 
 pub use dispatch::widest;
 pub use f64x4::F64x4;
 pub use level::{Level, Work};
-#[cfg(target_arch = "x86_64")]
-pub use rgb_sse2::load_block;

@@ -3,9 +3,10 @@
 
 #![allow(unsafe_code)]
 
-use super::super::elementary::{self, Single, elementary_methods};
-use super::super::rgb::{TableBlock, scalar_methods, weighted, whole};
-use super::super::{Lane, Mask, Real, TableEntry};
+use super::super::lane::scalar_methods;
+use super::super::real::{EXPONENT_SHIFT, SQRT_HALF_BITS};
+use super::super::table::{TableBlock, TableEntry, unbiased, weighted};
+use super::super::{Lane, Mask, Real};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -46,7 +47,7 @@ impl Lane for f32 {
     scalar_methods!();
     #[inline(always)]
     fn weighted_row(table: &[TableEntry<f32>], first: f32, weights: [f32; 3]) -> RgbLanes {
-        let [row, ..] = load_block(table, whole(first), 0);
+        let [row, ..] = load_block(table, unbiased(first), 0);
         weighted(row, weights.map(f32::gray))
     }
     #[inline(always)]
@@ -55,7 +56,7 @@ impl Lane for f32 {
         stride: usize,
         block: TableBlock<f32>,
     ) -> RgbLanes {
-        let [column, row] = block.first.map(whole);
+        let [column, row] = block.first.map(unbiased);
         let rows = load_block(table, row * stride + column, stride);
         let across = block.across.map(f32::gray);
         weighted(
@@ -71,7 +72,7 @@ impl Lane for f32 {
 /// # Panics
 /// If they are not all in the table.
 #[inline(always)]
-pub fn load_block(table: &[TableEntry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
+fn load_block(table: &[TableEntry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
     // No sum overflows, as a slice's bytes are at most isize::MAX.
     if stride >= table.len() || from >= table.len() || from + 2 * stride + 2 >= table.len() {
         outside();
@@ -192,13 +193,9 @@ impl Real for RgbLanes {
             _mm_andnot_ps(mask.0, no.0)
         )))
     }
-    elementary_methods!(exp, exp_m1, ln, ln_1p, cos_turns, sin_turns);
-}
-
-impl Single for RgbLanes {
     #[inline(always)]
     fn split(self) -> (Self, Self) {
-        let sqrt_half = sse2!(_mm_set1_epi32(elementary::SQRT_HALF_BITS));
+        let sqrt_half = sse2!(_mm_set1_epi32(SQRT_HALF_BITS));
         let above = sse2!(_mm_sub_epi32(_mm_castps_si128(self.0), sqrt_half));
         let fraction = sse2!(_mm_and_si128(above, _mm_set1_epi32(0x007f_ffff)));
         let mantissa = sse2!(_mm_castsi128_ps(_mm_add_epi32(fraction, sqrt_half)));
@@ -209,7 +206,7 @@ impl Single for RgbLanes {
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
-        let shifted = self + Self::new(elementary::EXPONENT_SHIFT);
+        let shifted = self + Self::new(EXPONENT_SHIFT);
         Self(sse2!(_mm_castsi128_ps(_mm_slli_epi32::<23>(
             _mm_castps_si128(shifted.0)
         ))))

@@ -7,7 +7,7 @@ use super::{CELLS, number};
 use crate::shared::markdown::table;
 use crate::shared::peer::Peer;
 use pellicle::bsdf;
-use pellicle::film::Kind;
+use pellicle::film::OneLayerMethod as Kind;
 
 /// The angle up to which a method's reach is counted, degrees, and the error.
 const REACH_ANGLE: f64 = 60.0;
@@ -69,7 +69,7 @@ fn validity(peer: Peer) -> &'static str {
             "2 n d below 900 nm times N less 4 um; not grazing soap"
         }
         Peer::Method(Kind::Bands(_)) => "any thickness; error as 1 / K^2",
-        Peer::Method(Kind::Harmonics(..)) => {
+        Peer::Method(Kind::Harmonics(_)) => {
             "weak bases, any thickness; neither dispersion nor absorption"
         }
         Peer::Forced("series", _) => "any one film; sums every harmonic, slow",
@@ -210,7 +210,7 @@ fn declared() -> String {
             ("not energy-conserving", &entry.info.not_conserving),
         ];
         exceptions.map(|(law, exception)| {
-            let reason = exception.as_ref()?.reason.to_string_lossy();
+            let reason = exception.as_ref()?.reason;
             Some(format!("- `{}` is {law} for {reason}.\n", entry.name()))
         })
     });

@@ -134,13 +134,19 @@ fn diffuse() -> Vec<Case> {
     let lambert = |model: Description, x| model.set("reflectance", &[x]);
     vec![
         case("lambert", &[], "", REFLECTANCE, lambert),
-        case("oren_nayar", &[("form", "full")], "", SIGMA, white("sigma")),
+        case(
+            "oren_nayar",
+            &[("form", "full")],
+            "",
+            SIGMA,
+            white("sigma_radians"),
+        ),
         case(
             "oren_nayar",
             &[("form", "qualitative")],
             "",
             SIGMA,
-            white("sigma"),
+            white("sigma_radians"),
         ),
         case("disney_diffuse", &[], "", ROUGHNESS, white("roughness")),
     ]
@@ -189,7 +195,9 @@ fn distributions() -> Vec<Case> {
     vec![
         rough(GGX, "", plain),
         rough(GGX, "stretched", |model| {
-            model.set("anisotropy", &[1.0]).set("rotation", &[0.1])
+            model
+                .set("anisotropy", &[1.0])
+                .set("rotation_turns", &[0.1])
         }),
         rough(GGX, "compensated", |model| {
             model.choose("energy_compensation", "on")

@@ -7,7 +7,7 @@ use crate::error_maps::scene::{self, Across, Scene, Truth};
 use crate::error_maps::{jump, precision};
 use crate::shared::peer::{FORCED, Peer, harmonics};
 use pellicle::Error;
-use pellicle::film::Kind;
+use pellicle::film::OneLayerMethod as Kind;
 use rayon::prelude::*;
 
 /// The tolerance of methods that are asked for by name: the default.

@@ -7,7 +7,7 @@ use crate::error_maps::map::Map;
 use crate::error_maps::scene::POINTS_PER_SIDE;
 use crate::shared::markdown::table;
 use crate::shared::peer::Peer;
-use pellicle::film::Kind;
+use pellicle::film::OneLayerMethod as Kind;
 
 /// Less than this above 1, or below 0, is rounding.
 const ROUNDING: f64 = 1e-5;

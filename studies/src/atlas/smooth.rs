@@ -3,7 +3,8 @@
 use super::laws::{Law, Measured};
 use crate::shared::bsdf::{self, sample};
 use glam::DVec3;
-use pellicle::{Bsdf, Scalar};
+use pellicle::Bsdf;
+use pellicle::bsdf::Precision;
 
 /// The light that one lobe passes on.
 struct Passed {
@@ -37,7 +38,7 @@ pub fn measure(single: &Bsdf<f32>, double: &Bsdf<f64>, wo: DVec3) -> Measured {
     }
 }
 
-fn lobes<T: Scalar>(bsdf: &Bsdf<T>, wo: DVec3) -> Vec<Passed> {
+fn lobes<T: Precision>(bsdf: &Bsdf<T>, wo: DVec3) -> Vec<Passed> {
     let vector = |w: DVec3| T::Vector::from(w.to_array().map(T::new));
     let number = |x: T| f64::from(x.to_f32());
     let [probabilities, _] = bsdf::lobes(bsdf, vector(wo), vector(wo));

@@ -4,7 +4,7 @@ use super::errors::Errors;
 use super::suite::{Named, RANGES, Range, points};
 use super::timing;
 use crate::shared::peer::{Compiled, Peer, harmonics, method_of};
-use pellicle::film::Kind;
+use pellicle::film::OneLayerMethod as Kind;
 use pellicle::num::Level;
 use rayon::prelude::*;
 use std::time::Instant;

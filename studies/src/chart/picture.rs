@@ -6,7 +6,7 @@ use crate::shared::peer::{Peer, size};
 use crate::shared::svg::{
     Area, FONT, Failure, Panel, Pixel, beside, diamond, line, picture, style, width,
 };
-use pellicle::film::Kind;
+use pellicle::film::OneLayerMethod as Kind;
 use pellicle::num::Level;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
@@ -61,7 +61,7 @@ impl Family {
             Peer::Method(Kind::AiryRgb) => Self::AiryRgb,
             Peer::Method(Kind::Quadrature(_)) => Self::Quadrature,
             Peer::Method(Kind::Bands(_)) => Self::Bands,
-            Peer::Method(Kind::Harmonics(..)) => Self::Harmonics,
+            Peer::Method(Kind::Harmonics(_)) => Self::Harmonics,
             Peer::Planned(_) => Self::Planned,
             _ => Self::Reference,
         }

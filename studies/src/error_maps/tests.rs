@@ -6,7 +6,7 @@ use super::map::Map;
 use super::scene::{self, Across, Scene, Truth};
 use crate::shared::peer::{Compiled, FORCED, Peer, harmonics, method_of, uses};
 use crate::shared::stack::{Stack, clipped_error};
-use pellicle::film::Kind;
+use pellicle::film::OneLayerMethod as Kind;
 use rayon::prelude::*;
 
 /// Cells on either side of a map; the atlas has 28.

@@ -5,7 +5,7 @@ use super::at_every_level;
 use super::row::{Quantity, Row};
 use crate::shared::batch::reflectances;
 use crate::shared::films::{bare, constant, medium, soap};
-use crate::shared::peer::{OneLayerMethod, all_kinds, uses};
+use crate::shared::peer::{TwoPrecisions, all_kinds, uses};
 use crate::shared::stack::clipped_error;
 use pellicle::film::{Film, FilmDescription, METHODS, OneLayer};
 use pellicle::optics::{dielectric_reflectance, schlick};
@@ -25,14 +25,14 @@ enum Truth {
     /// Fresnel's equations for this relative index.
     Fresnel(f64),
     /// The method in double precision.
-    Method(OneLayerMethod),
+    Method(TwoPrecisions),
     /// Converged wave optics, which is slow: of this many elements the first is compared.
     Reference(usize),
 }
 
 /// The names of all methods.
 pub fn names() -> [&'static str; METHODS.len()] {
-    METHODS.map(|name| name.to_str().unwrap())
+    METHODS
 }
 
 /// Films of every method.
@@ -107,7 +107,7 @@ impl Subject {
             _ => {
                 let kind = all_kinds().into_iter().find(|kind| uses(&film, *kind));
                 let kind = kind.unwrap_or_else(|| panic!("unknown method: {:?}", film.plan()));
-                Truth::Method(OneLayerMethod::new(kind, layer(&description)).unwrap())
+                Truth::Method(TwoPrecisions::new(kind, layer(&description)).unwrap())
             }
         };
         Some(Self {
@@ -156,7 +156,7 @@ impl Subject {
         format!(
             "indices {} at 550 nm, cosine {cos_theta:e}, {thickness_nm} nm, {}: {what}",
             indices.join(" / "),
-            self.film.plan().reason.to_string_lossy()
+            self.film.plan().reason
         )
     }
 

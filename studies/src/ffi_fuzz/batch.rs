@@ -8,7 +8,7 @@ use super::guarded::Guarded;
 use super::outcome::succeeded;
 use super::subjects::{Subject, subject};
 use pellicle::capi::*;
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 const MOST_ELEMENTS: usize = 300;
 /// The most that a view may span; wider strides are narrowed.
@@ -213,21 +213,24 @@ fn eval(subject: &Subject, count: usize, bytes: &mut Bytes) {
     let views: Vec<_> = varying.iter().map(Array::const_view).collect();
     let value = Array::new(bytes, count, 3, true);
     let pdf = Array::new(bytes, count, 1, true);
+    let reverse = Array::new(bytes, count, 1, true);
     let args = PellicleEvalBatchArgs {
         count,
         wo: wo.const_view(),
         wi: wi.const_view(),
         varying: views.as_ptr(),
         varying_count: views.len(),
+        call: null(),
         value: value.view(),
         pdf: pdf.view(),
+        pdf_reverse: reverse.view(),
     };
     // SAFETY: the handle lives on; all views are of arrays of `count` elements.
     let status = unsafe { pellicle_bsdf_eval_batch(subject.bsdf, &args, size_of_val(&args)) };
     assert_eq!(status, PELLICLE_OK);
     for i in 0..count {
         let (wo, wi, varying) = (wo.numbers::<3>(i), wi.numbers::<3>(i), flat(&varying, i));
-        let (mut single, mut density) = ([0.0; 3], 0.0);
+        let (mut single, mut densities) = ([0.0; 3], [0.0; 2]);
         // SAFETY: arrays and outputs are as long as they must be.
         unsafe {
             let (wo, wi, varying) = (wo.as_ptr(), wi.as_ptr(), varying.as_ptr());
@@ -236,8 +239,10 @@ fn eval(subject: &Subject, count: usize, bytes: &mut Bytes) {
                 wo,
                 wi,
                 varying,
+                null(),
                 single.as_mut_ptr(),
-                &mut density,
+                &mut densities[0],
+                &mut densities[1],
             );
         }
         assert_eq!(
@@ -245,14 +250,16 @@ fn eval(subject: &Subject, count: usize, bytes: &mut Bytes) {
             bits(single),
             "element {i} of {count}"
         );
+        let found = [pdf.numbers(i), reverse.numbers(i)];
         assert_eq!(
-            bits(pdf.numbers(i)),
-            bits([density]),
+            found.map(bits::<1>),
+            densities.map(|density| bits([density])),
             "element {i} of {count}"
         );
     }
     value.rest_must_be_untouched(count);
     pdf.rest_must_be_untouched(count);
+    reverse.rest_must_be_untouched(count);
 }
 
 fn sample(subject: &Subject, count: usize, bytes: &mut Bytes) {
@@ -265,8 +272,8 @@ fn sample(subject: &Subject, count: usize, bytes: &mut Bytes) {
     }
     let varying = varying(subject, count, bytes);
     let views: Vec<_> = varying.iter().map(Array::const_view).collect();
-    let [wi, pdf, weight, eta, flags, lobe] =
-        [3, 1, 3, 1, 1, 1].map(|components| Array::new(bytes, count, components, true));
+    let [wi, pdf, weight, eta, probability, flags, lobe] =
+        [3, 1, 3, 1, 1, 1, 1].map(|components| Array::new(bytes, count, components, true));
     let wanted = bytes.byte() | 1;
     let wanted_view = |bit: u8, array: &Array| PellicleView {
         data: if wanted >> bit & 1 == 1 {
@@ -282,12 +289,14 @@ fn sample(subject: &Subject, count: usize, bytes: &mut Bytes) {
         u: u.const_view(),
         varying: views.as_ptr(),
         varying_count: views.len(),
+        call: null(),
         wi: wanted_view(0, &wi),
         pdf: wanted_view(1, &pdf),
         weight: wanted_view(2, &weight),
         eta: wanted_view(3, &eta),
         flags: flags.uint_view(),
         lobe: lobe.uint_view(),
+        lobe_probability: wanted_view(4, &probability),
     };
     // SAFETY: the handle lives on; all views are of arrays of `count` elements.
     let status = unsafe { pellicle_bsdf_sample_batch(subject.bsdf, &args, size_of_val(&args)) };
@@ -299,7 +308,7 @@ fn sample(subject: &Subject, count: usize, bytes: &mut Bytes) {
         // SAFETY: arrays and outputs are as long as they must be.
         unsafe {
             let (wo, u, varying) = (wo.as_ptr(), u.as_ptr(), varying.as_ptr());
-            pellicle_bsdf_sample(subject.bsdf, wo, u, varying, &mut single, size);
+            pellicle_bsdf_sample(subject.bsdf, wo, u, varying, null(), &mut single, size);
         }
         let is_wanted = |bit: u8| wanted >> bit & 1 == 1;
         assert!(
@@ -318,24 +327,27 @@ fn sample(subject: &Subject, count: usize, bytes: &mut Bytes) {
             !is_wanted(3) || bits(eta.numbers(i)) == bits([single.eta]),
             "element {i} of {count}"
         );
+        assert!(
+            !is_wanted(4) || bits(probability.numbers(i)) == bits([single.lobe_probability]),
+            "element {i} of {count}"
+        );
         assert_eq!(
             [flags.get(i, 0), lobe.get(i, 0)],
             [single.flags, single.lobe],
             "element {i} of {count}"
         );
     }
-    for (bit, array) in [&wi, &pdf, &weight, &eta, &flags, &lobe]
+    for (bit, array) in [&wi, &pdf, &weight, &eta, &probability, &flags, &lobe]
         .into_iter()
         .enumerate()
     {
-        let is_written = bit >= 4 || wanted >> bit & 1 == 1;
+        let is_written = bit >= 5 || wanted >> bit & 1 == 1;
         array.rest_must_be_untouched(if is_written { count } else { 0 });
     }
 }
 
 fn film(count: usize, bytes: &mut Bytes) {
     let film = super::subjects::film(bytes.index(256));
-    let film: *const PellicleFilm = std::sync::Arc::as_ptr(film).cast();
     let mut column = |min, max| {
         let mut array = Array::new(bytes, count, 1, false);
         (0..count).for_each(|i| array.set(i, 0, bytes.number(min, max)));
@@ -397,8 +409,13 @@ fn refused(subject: &Subject, bytes: &mut Bytes) {
         wi: read(1),
         varying: std::ptr::null(),
         varying_count: 0,
+        call: null(),
         value: view(2),
         pdf: view(if strides[0] == 0 { 4 } else { 3 }),
+        pdf_reverse: PellicleView {
+            data: null_mut(),
+            ..view(4)
+        },
     };
     let is_needed = wrong < 3 || strides[0] != 0;
     if !is_needed {

@@ -7,9 +7,7 @@ use super::subjects::{Subject, film};
 use super::texts::Texts;
 use pellicle::bsdf::{ModelInfo, ParamKind, models};
 use pellicle::capi::*;
-use std::ffi::CStr;
 use std::ptr::null;
-use std::sync::Arc;
 
 /// Every documented failure of creation.
 const FAILURES: [PellicleStatus; 5] = [
@@ -22,6 +20,8 @@ const FAILURES: [PellicleStatus; 5] = [
 
 const MOST_PARAMS: usize = 8;
 const MOST_VARYING: usize = 4;
+/// Not every processor has all.
+const LEVELS: [&str; 5] = ["scalar", "sse2", "avx2", "avx512", "neon"];
 
 pub fn run(data: &[u8]) {
     let bytes = &mut Bytes(data);
@@ -55,10 +55,11 @@ pub fn run(data: &[u8]) {
         },
         varying_count: ranges.len(),
         film: match bytes.byte() % 4 {
-            0 => Arc::as_ptr(film(bytes.index(256))).cast(),
-            _ if info.name == c"film" => Arc::as_ptr(film(bytes.index(256))).cast(),
+            0 => film(bytes.index(256)),
+            _ if info.name == "film" => film(bytes.index(256)),
             _ => null(),
         },
+        simd_level: texts.optional_name(bytes, &LEVELS),
     };
     let mut handle = Output::<*mut PellicleBsdf>::new();
     let size = match bytes.byte() {
@@ -94,7 +95,7 @@ pub fn run(data: &[u8]) {
     }
 }
 
-fn names(info: &'static ModelInfo) -> Vec<&'static CStr> {
+fn names(info: &'static ModelInfo) -> Vec<&'static str> {
     info.params.iter().map(|param| param.name).collect()
 }
 
@@ -107,7 +108,7 @@ fn param(
 ) -> PellicleParam {
     let known = &info.params[bytes.index(info.params.len())];
     let name = match bytes.byte() {
-        0..240 => known.name.as_ptr(),
+        0..240 => texts.keep(known.name),
         _ => texts.name(bytes, &names(info)),
     };
     let (mut values, mut count, mut choice) = ([0.0; 4], known.components(), null());
@@ -123,7 +124,7 @@ fn param(
         200..230 => count = 1,
         230..250 => count = bytes.index(5),
         250..253 => count = bytes.word() as usize | 4,
-        _ => choice = texts.name(bytes, &[c"ggx", c"film", c"paper"]),
+        _ => choice = texts.name(bytes, &["ggx", "film", "paper"]),
     }
     numbers.push(values);
     PellicleParam {
@@ -150,7 +151,7 @@ fn range(bytes: &mut Bytes, texts: &mut Texts, info: &'static ModelInfo) -> (usi
         _ => [bytes.number(min, max), bytes.number(min, max)],
     };
     let name = match bytes.byte() {
-        0..250 => known.name.as_ptr(),
+        0..250 => texts.keep(known.name),
         _ => texts.name(bytes, &names(info)),
     };
     let range = PellicleRange {

@@ -9,11 +9,9 @@ use pellicle::film::METHODS;
 use std::ffi::CStr;
 use std::ptr::null;
 
-const MEDIA: [&CStr; 8] = [
-    c"air", c"SiO2", c"TiO2", c"Au", c"bk7", c"H2O", c"Si", c"Al",
-];
-const WHITES: [&CStr; 2] = [c"E", c"D65"];
-const SPACES: [&CStr; 4] = [c"rec709", c"rec2020", c"acescg", c"xyz"];
+const MEDIA: [&str; 8] = ["air", "SiO2", "TiO2", "Au", "bk7", "H2O", "Si", "Al"];
+const WHITES: [&str; 2] = ["E", "D65"];
+const SPACES: [&str; 4] = ["rec709", "rec2020", "acescg", "xyz"];
 
 const MOST_LAYERS: usize = 3;
 const MOST_THICKNESS_NM: f32 = 800.0;
@@ -33,6 +31,7 @@ const FAILURES: [PellicleStatus; 5] = [
 struct Memory {
     texts: Texts,
     tables: Vec<[Vec<f32>; 3]>,
+    media: Vec<Box<PellicleMedium>>,
 }
 
 pub fn run(data: &[u8]) {
@@ -47,8 +46,10 @@ pub fn run(data: &[u8]) {
         _ => layers.len(),
     };
     let desc = PellicleFilmDesc {
+        medium_size: element_size::<PellicleMedium>(bytes),
+        layer_size: element_size::<PellicleLayer>(bytes),
         ambient: if bytes.byte() % 2 == 0 {
-            NO_MEDIUM
+            null()
         } else {
             medium(bytes, memory)
         },
@@ -63,6 +64,7 @@ pub fn run(data: &[u8]) {
         white: memory.texts.optional_name(bytes, &WHITES),
         color_space: memory.texts.optional_name(bytes, &SPACES),
         method: memory.texts.optional_name(bytes, &METHODS),
+        simd_level: null(),
         unclipped: u32::from(bytes.byte() / 64),
         transmittance: u32::from(bytes.byte() / 64),
     };
@@ -98,7 +100,15 @@ const NO_MEDIUM: PellicleMedium = PellicleMedium {
     table_count: 0,
 };
 
-fn medium(bytes: &mut Bytes, memory: &mut Memory) -> PellicleMedium {
+/// Today's size most of the time, or 0, which no version has. Others would cut pointers apart.
+fn element_size<T>(bytes: &mut Bytes) -> usize {
+    match bytes.byte() {
+        255 => 0,
+        _ => size_of::<T>(),
+    }
+}
+
+fn medium(bytes: &mut Bytes, memory: &mut Memory) -> *const PellicleMedium {
     let mut medium = NO_MEDIUM;
     let kind = bytes.byte();
     if kind % 8 < 3 || kind > 240 {
@@ -129,7 +139,9 @@ fn medium(bytes: &mut Bytes, memory: &mut Memory) -> PellicleMedium {
         medium.table_count = count;
         memory.tables.push(table);
     }
-    medium
+    // A box, because descriptions point to it.
+    memory.media.push(Box::new(medium));
+    &*memory.media[memory.media.len() - 1]
 }
 
 fn layer(bytes: &mut Bytes, memory: &mut Memory) -> PellicleLayer {

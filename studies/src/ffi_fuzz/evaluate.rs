@@ -34,27 +34,31 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
     let (wo, wi, u) = (bytes.direction(), bytes.direction(), bytes.uniforms());
     // SAFETY: the handle is alive, arrays and outputs as long as they must be.
     unsafe {
-        let (mut value, mut pdf) = (Output::<[f32; 3]>::new(), Output::<f32>::new());
+        let mut value = Output::<[f32; 3]>::new();
+        let [mut pdf, mut reverse] = [(); 2].map(|()| Output::<f32>::new());
         let status = pellicle_bsdf_eval(
             bsdf,
             wo.as_ptr(),
             wi.as_ptr(),
             varying,
+            null(),
             value.pointer().cast(),
             pdf.pointer(),
+            reverse.pointer(),
         );
         assert_eq!(status, PELLICLE_OK);
         must_be_within(&value.get(), f32::INFINITY);
-        must_be_within(&[pdf.get()], f32::INFINITY);
+        must_be_within(&[pdf.get(), reverse.get()], f32::INFINITY);
         let mut alone = Output::<[f32; 3]>::new();
-        let outputs = (alone.pointer().cast(), null_mut());
         let status = pellicle_bsdf_eval(
             bsdf,
             wo.as_ptr(),
             wi.as_ptr(),
             varying,
-            outputs.0,
-            outputs.1,
+            null(),
+            alone.pointer().cast(),
+            null_mut(),
+            null_mut(),
         );
         assert_eq!(status, PELLICLE_OK);
         assert_eq!(
@@ -70,6 +74,7 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
             wo.as_ptr(),
             u.as_ptr(),
             varying,
+            null(),
             sample.pointer(),
             size,
         );
@@ -79,7 +84,8 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
         // Milliseconds: seldom.
         if bytes.byte() == 1 {
             let mut albedo = Output::<[f32; 3]>::new();
-            let status = pellicle_bsdf_albedo(bsdf, wo.as_ptr(), varying, albedo.pointer().cast());
+            let status =
+                pellicle_bsdf_albedo(bsdf, wo.as_ptr(), varying, null(), albedo.pointer().cast());
             assert_eq!(status, PELLICLE_OK);
             must_be_within(&albedo.get(), f32::INFINITY);
         }
@@ -90,7 +96,9 @@ pub unsafe fn call(subject: &Subject, bytes: &mut Bytes) {
             null(),
             wi.as_ptr(),
             varying,
+            null(),
             refused.pointer().cast(),
+            null_mut(),
             null_mut(),
         );
         assert!(!succeeded(status, &[PELLICLE_INVALID_ARGUMENT]));

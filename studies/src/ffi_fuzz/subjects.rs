@@ -5,9 +5,9 @@ use crate::shared::directions::rng;
 use crate::shared::draw::{Drawn, Variant, Varied, variants};
 use crate::shared::films::{self, Kind};
 use pellicle::capi::*;
-use pellicle::film::{Film, FilmDescription};
+use pellicle::film::FilmDescription;
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Mutex, OnceLock};
 
 /// A handle, and what the interface says about it.
 #[derive(Clone, Copy)]
@@ -39,8 +39,7 @@ fn make(variant: &Variant, varies: bool) -> Subject<'static> {
     // Directions may have any length.
     let varying = |varied: &Varied| (varied.components, varied.range.unwrap_or([-1.0, 1.0]));
     let varying: Vec<(usize, [f32; 2])> = drawn.varied.iter().map(varying).collect();
-    let bsdf = Arc::new(bsdf);
-    let bsdf: *const PellicleBsdf = Arc::into_raw(bsdf).cast();
+    let bsdf: *const PellicleBsdf = bsdf_handle(bsdf);
     // SAFETY: plain numbers and pointers, for which 0 is valid; the handle is alive.
     let info = unsafe {
         let mut info = std::mem::zeroed();
@@ -55,13 +54,19 @@ fn make(variant: &Variant, varies: bool) -> Subject<'static> {
     }
 }
 
+/// A film's handle, which lives as long as the program.
+#[derive(Clone, Copy)]
+struct Handle(*const PellicleFilm);
+
+// SAFETY: handles are shared freely between threads.
+unsafe impl Send for Handle {}
+
 /// A film: a table, a curve, a method for one layer, a bare base. None is evaluated by the reference, whose colours
 /// take half a millisecond.
-pub fn film(number: usize) -> &'static Arc<Film> {
-    static MADE: Mutex<BTreeMap<usize, &'static Arc<Film>>> = Mutex::new(BTreeMap::new());
+pub fn film(number: usize) -> *const PellicleFilm {
+    static MADE: Mutex<BTreeMap<usize, Handle>> = Mutex::new(BTreeMap::new());
     let number = number % (Kind::QUICK.len() + 3);
-    let mut made = MADE.lock().unwrap();
-    made.entry(number).or_insert_with(|| {
+    let make = || {
         let film = match number.checked_sub(Kind::QUICK.len()) {
             None => Kind::QUICK[number].film(),
             Some(0) => films::compiled(&films::bare(films::medium("Si"))),
@@ -75,6 +80,7 @@ pub fn film(number: usize) -> &'static Arc<Film> {
                 ..films::tinted()
             }),
         };
-        Box::leak(Box::new(film))
-    })
+        Handle(film_handle(film, None).unwrap())
+    };
+    MADE.lock().unwrap().entry(number).or_insert_with(make).0
 }

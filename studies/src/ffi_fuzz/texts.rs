@@ -1,7 +1,7 @@
 //! C strings that live as long as a description.
 
 use super::bytes::Bytes;
-use std::ffi::{CStr, CString, c_char};
+use std::ffi::{CString, c_char};
 
 /// Strings made of bytes.
 #[derive(Default)]
@@ -9,7 +9,7 @@ pub struct Texts(Vec<CString>);
 
 impl Texts {
     /// A known name most of the time, else NULL or a few bytes of any kind.
-    pub fn name(&mut self, bytes: &mut Bytes, known: &[&CStr]) -> *const c_char {
+    pub fn name(&mut self, bytes: &mut Bytes, known: &[&str]) -> *const c_char {
         match bytes.byte() {
             255 => std::ptr::null(),
             240..=254 => {
@@ -17,14 +17,14 @@ impl Texts {
                     .map(|_| bytes.byte())
                     .take_while(|byte| *byte != 0)
                     .collect();
-                self.keep(CString::new(text).unwrap())
+                self.keep(text)
             }
-            choice => self.keep(known[usize::from(choice) % known.len()].into()),
+            choice => self.keep(known[usize::from(choice) % known.len()]),
         }
     }
 
     /// The same, but most often NULL.
-    pub fn optional_name(&mut self, bytes: &mut Bytes, known: &[&CStr]) -> *const c_char {
+    pub fn optional_name(&mut self, bytes: &mut Bytes, known: &[&str]) -> *const c_char {
         if bytes.byte() % 4 < 3 {
             std::ptr::null()
         } else {
@@ -32,8 +32,9 @@ impl Texts {
         }
     }
 
-    fn keep(&mut self, text: CString) -> *const c_char {
-        self.0.push(text);
+    /// A copy of a text without NUL.
+    pub fn keep(&mut self, text: impl Into<Vec<u8>>) -> *const c_char {
+        self.0.push(CString::new(text).unwrap());
         self.0[self.0.len() - 1].as_ptr()
     }
 }

@@ -9,7 +9,7 @@ use pellicle::batch::{
 use pellicle::bsdf::Flags;
 use pellicle::film::Film;
 use pellicle::num::Level;
-use pellicle::{Bsdf, Error, Sample};
+use pellicle::{Bsdf, Call, Error, Sample};
 
 /// The varying parameters of a batch: the numbers of one element after those of the one before.
 #[derive(Clone, Debug, Default)]
@@ -83,6 +83,14 @@ fn vectors(vectors: &[Vec3]) -> ConstView {
     }
 }
 
+fn not_wanted() -> View {
+    View {
+        data: std::ptr::null_mut(),
+        element_stride: 0,
+        component_stride: 0,
+    }
+}
+
 /// Value and density.
 pub type Evaluated = ([f32; 3], f32);
 
@@ -103,6 +111,8 @@ pub fn values(
         varying: &varying.views(),
         value: value.view(),
         pdf: pdf.view(),
+        pdf_reverse: not_wanted(),
+        call: Call::default(),
     };
     // SAFETY: all views are of arrays of `count` elements.
     unsafe { eval(bsdf, &args, level) }?;
@@ -118,8 +128,8 @@ pub fn samples(
 ) -> Result<Vec<Sample>, Error> {
     let count = wo.len();
     assert_eq!(u.len(), count);
-    let [mut wi, mut weight, mut pdf, mut eta] =
-        [3, 3, 1, 1].map(|components| Planes::new(components, count, f32::NAN));
+    let [mut wi, mut weight, mut pdf, mut eta, mut probability] =
+        [3, 3, 1, 1, 1].map(|components| Planes::new(components, count, f32::NAN));
     let [mut flags, mut lobe] = [(); 2].map(|()| Planes::new(1, count, u32::MAX));
     let args = SampleArgs {
         count,
@@ -132,6 +142,8 @@ pub fn samples(
         eta: eta.view(),
         flags: flags.view(),
         lobe: lobe.view(),
+        lobe_probability: probability.view(),
+        call: Call::default(),
     };
     // SAFETY: all views are of arrays of `count` elements.
     unsafe { sample(bsdf, &args, level) }?;
@@ -142,6 +154,7 @@ pub fn samples(
         eta: eta.numbers[i],
         flags: Flags(flags.numbers[i]),
         lobe: lobe.numbers[i] as usize,
+        lobe_probability: probability.numbers[i],
     };
     Ok((0..count).map(sample).collect())
 }

@@ -29,7 +29,7 @@ pub fn variants() -> Vec<Variant> {
 /// The names that a parameter can be; none if it is no choice.
 pub fn names(entry: &RegisteredModel, param: usize) -> Vec<&'static str> {
     match entry.info.params[param].kind {
-        ParamKind::Choice { choices } => choices.iter().map(|c| c.to_str().unwrap()).collect(),
+        ParamKind::Choice { choices } => choices.to_vec(),
         _ => Vec::new(),
     }
 }
@@ -121,7 +121,7 @@ impl Drawn {
     pub fn new(variant: &Variant, varies: f64, rng: &mut impl Rng) -> (Self, Bsdf) {
         let (mut drawn, mut bsdf, values) = Self::fixed(variant, rng);
         for (index, param) in variant.entry.info.params.iter().enumerate() {
-            if !param.can_vary || !rng.random_bool(varies) {
+            if !param.can_vary || values[index].is_empty() || !rng.random_bool(varies) {
                 continue;
             }
             for _ in 0..RANGES_TRIED {
@@ -171,21 +171,24 @@ impl Drawn {
         panic!("no valid parameters found for {}", variant.name);
     }
 
+    /// Parameters that the choices ignore are left out.
     fn candidate(variant: &Variant, rng: &mut impl Rng) -> (Self, Vec<Vec<f32>>) {
         let info = variant.entry.info;
-        let mut description = Description::new(variant.entry.name());
         let mut defaults = Values::defaults(info);
-        let (mut values, mut choices) = (Vec::new(), Vec::new());
+        let draw = |(index, chosen): (usize, &Option<usize>)| {
+            let count = names(variant.entry, index).len();
+            chosen.unwrap_or_else(|| rng.random_range(0..count.max(1)))
+        };
+        let choices: Vec<usize> = variant.choices.iter().enumerate().map(draw).collect();
+        let mut description = Description::new(variant.entry.name());
+        let mut values = Vec::new();
         for (index, param) in info.params.iter().enumerate() {
-            let (mut numbers, mut choice) = (Vec::new(), 0);
+            let mut numbers = Vec::new();
             match param.kind {
-                _ if info.film_thickness == Some(index) => {}
+                _ if info.film_thickness == Some(index) || !param.is_used(|p| choices[p]) => {}
                 ParamKind::Number { min, max, .. } => {
-                    let count = if rng.random_bool(0.3) {
-                        1
-                    } else {
-                        param.components()
-                    };
+                    let is_equal = rng.random_bool(0.3);
+                    let count = if is_equal { 1 } else { param.components() };
                     numbers = (0..count).map(|_| number(rng, min, max)).collect();
                     numbers.resize(param.components(), numbers[0]);
                 }
@@ -195,18 +198,14 @@ impl Drawn {
                     numbers = vec![w.x, w.y, w.z.max(min_z * 1.01)];
                 }
                 ParamKind::Choice { choices: all } => {
-                    let chosen = variant.choices[index];
-                    choice = chosen.unwrap_or_else(|| rng.random_range(0..all.len()));
-                    defaults.set_choice(index, choice);
-                    description =
-                        description.choose(param.name(), names(variant.entry, index)[choice]);
+                    defaults.set_choice(index, choices[index]);
+                    description = description.choose(param.name(), all[choices[index]]);
                 }
             }
             if !numbers.is_empty() {
                 description = description.set(param.name(), &numbers);
             }
             values.push(numbers);
-            choices.push(choice);
         }
         let mut thickness_nm = None;
         if (variant.entry.needs_film)(&defaults) {

@@ -2,7 +2,7 @@
 
 use super::bsdf;
 use super::stack::{Stack, Truth};
-use pellicle::film::{Film, FilmDescription, Kind, Method, OneLayer, Sensitivity};
+use pellicle::film::{CompiledMethod, Film, FilmDescription, OneLayer, OneLayerMethod as Kind};
 use pellicle::num::Rgb;
 use pellicle::optics::RGB_WAVELENGTHS_NM;
 use pellicle::{Bsdf, Description, Error};
@@ -36,14 +36,14 @@ pub const FORCED: [&str; 7] = [
 
 /// Harmonics of that order.
 pub const fn harmonics(order: usize) -> Kind {
-    Kind::Harmonics(Sensitivity::Tabulated, order)
+    Kind::Harmonics(order)
 }
 
 /// The number of wavelengths, bands or harmonics; 0 if the method has no size.
 pub fn size(kind: Kind) -> usize {
     match kind {
         Kind::TwoBeam | Kind::AiryRgb => 0,
-        Kind::Quadrature(size) | Kind::Bands(size) | Kind::Harmonics(_, size) => size,
+        Kind::Quadrature(size) | Kind::Bands(size) | Kind::Harmonics(size) => size,
     }
 }
 
@@ -56,28 +56,27 @@ pub fn all_kinds() -> Vec<Kind> {
 
 /// Whether a film's plan says that it evaluates a method in that size.
 pub fn uses(film: &Film, kind: Kind) -> bool {
-    let reason = film.plan().reason.to_string_lossy();
-    reason.starts_with(&format!("{}:", kind.cost()))
+    film.plan().reason.starts_with(&format!("{}:", kind.cost()))
 }
 
 /// The name of the method that the plan chose.
 pub fn method_of(film: &Film) -> String {
-    film.plan().method.to_string_lossy().into_owned()
+    film.plan().method.to_owned()
 }
 
 /// A method in single precision, and when it is asked for in double.
-pub struct OneLayerMethod {
+pub struct TwoPrecisions {
     kind: Kind,
     layer: OneLayer,
-    pub single: Box<dyn Method<f32>>,
-    double: OnceLock<Box<dyn Method<f64>>>,
+    pub single: Box<dyn CompiledMethod<f32>>,
+    double: OnceLock<Box<dyn CompiledMethod<f64>>>,
 }
 
-impl OneLayerMethod {
+impl TwoPrecisions {
     pub fn new(kind: Kind, layer: OneLayer) -> Result<Self, Error> {
         Ok(Self {
             kind,
-            single: kind.compile(&layer)?,
+            single: kind.single(&layer)?,
             double: OnceLock::new(),
             layer,
         })
@@ -85,7 +84,7 @@ impl OneLayerMethod {
 
     /// Linear RGB in double precision, not clipped.
     pub fn double(&self, cos_theta: f64, thickness_nm: f64) -> Rgb<f64> {
-        let compile = || self.kind.compile(&self.layer).unwrap();
+        let compile = || self.kind.double(&self.layer).unwrap();
         let double = self.double.get_or_init(compile);
         double.reflectance(cos_theta, thickness_nm)
     }
@@ -94,7 +93,7 @@ impl OneLayerMethod {
 /// A peer, ready for one stack.
 pub enum Compiled {
     Layered(Box<(Bsdf<f32>, Bsdf<f64>)>),
-    Method(Box<OneLayerMethod>),
+    Method(Box<TwoPrecisions>),
     Film(Box<Film>),
     Reference(Box<Truth>),
     /// Why it does not take the stack.
@@ -106,7 +105,7 @@ impl Peer {
     pub fn name(self) -> &'static str {
         match self {
             Self::Layered => "layered, paper",
-            Self::Method(Kind::Harmonics(..)) => "harmonics",
+            Self::Method(Kind::Harmonics(_)) => "harmonics",
             Self::Method(kind) => kind.name(),
             Self::Forced(name, _) => name,
             Self::Planned(_) => "plan",
@@ -146,7 +145,7 @@ impl Peer {
             Self::Layered => layered(stack),
             Self::Method(kind) => match stack.one_layer() {
                 Some(layer) => {
-                    OneLayerMethod::new(kind, layer).map(|m| Compiled::Method(Box::new(m)))
+                    TwoPrecisions::new(kind, layer).map(|m| Compiled::Method(Box::new(m)))
                 }
                 None => return Compiled::Refused("takes one film on a base".into()),
             },

@@ -40,18 +40,18 @@
 //!     wavelength; the colours here come from stopping after one traversal. The model convinces, it
 //!     does not predict.
 
-mod prepared;
+mod formulas;
 mod sampling;
 #[cfg(test)]
 mod tests;
 
+use crate::bsdf::compiled::kernel;
 use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::Mixture;
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::{Bounds, Values};
 use crate::error::Error;
-use prepared::Prepared;
+use formulas::LayeredSurface;
 
 /// The model; see the module's documentation.
 pub struct Layered;
@@ -84,36 +84,96 @@ const GLOSSY: Flags = Flags::REFLECTION.with(Flags::GLOSSY);
 
 impl Model for Layered {
     const INFO: ModelInfo = ModelInfo {
-        name: c"layered",
-        summary: c"A thin layer on an object: reflection, one traversal, and their interference at three wavelengths.",
-        source: c"Granier and Heidrich 2002, A Simple Layered RGB BRDF Model",
+        name: "layered",
+        summary: "A thin layer on an object: reflection, one traversal, and their interference at three wavelengths.",
+        source: "Granier and Heidrich 2002, A Simple Layered RGB BRDF Model",
         params: &[
-            ParamInfo::rgb(c"eta", c"Refractive index of the layer at 645, 525 and 445 nm.", [1.0, 4.0], 1.5).fixed(),
-            ParamInfo::number(c"ambient_eta", c"Refractive index outside.", [1.0, 4.0], 1.0).fixed(),
-            ParamInfo::number(c"exponent_reflection", c"Phong exponent of the upper boundary, e0; 0 reflects to the whole hemisphere.", [0.0, 1e5], 50.0).fixed(),
-            ParamInfo::number(c"exponent_transmission", c"Phong exponent of the lower boundary, e1, inside the layer.", [0.0, 1e5], 50.0).fixed(),
-            ParamInfo::number(c"thickness_nm", c"Thickness of the layer.", [0.0, 1e5], 300.0).in_unit(c"nm"),
-            ParamInfo::direction(c"base_normal", c"Normal of the lower boundary in the shading frame; (0, 0, 1): parallel boundaries.", 0.05),
-            ParamInfo::rgb(c"base", c"Reflectance of the lower boundary, RGB.", [0.0, 1.0], 1.0),
-            ParamInfo::number(c"specular_weight", c"Weight of the specular part; in energy, specular_weight + diffuse_weight <= 1.", [0.0, 1.0], 0.5).fixed(),
-            ParamInfo::number(c"diffuse_weight", c"Weight of the diffuse part.", [0.0, 1.0], 0.5).fixed(),
-            ParamInfo::choice(c"variant", c"energy: reciprocal, albedo <= 1; paper: the printed formulas.", &[c"energy", c"paper"]),
-            ParamInfo::choice(c"phase_shift", c"half_wave for a base whose index is below the layer's.", &[c"none", c"half_wave"]),
+            ParamInfo::rgb(
+                "eta",
+                "Refractive index of the layer at 645, 525 and 445 nm.",
+                [1.0, 4.0],
+                1.5,
+            )
+            .fixed(),
+            ParamInfo::number("ambient_eta", "Refractive index outside.", [1.0, 4.0], 1.0).fixed(),
+            ParamInfo::number(
+                "exponent_reflection",
+                "Phong exponent of the upper boundary, e0; 0 reflects to the whole hemisphere.",
+                [0.0, 1e5],
+                50.0,
+            )
+            .fixed(),
+            ParamInfo::number(
+                "exponent_transmission",
+                "Phong exponent of the lower boundary, e1, inside the layer.",
+                [0.0, 1e5],
+                50.0,
+            )
+            .fixed(),
+            ParamInfo::number("thickness_nm", "Thickness of the layer.", [0.0, 1e5], 300.0)
+                .in_unit("nm"),
+            ParamInfo::direction(
+                "base_normal",
+                "Normal of the lower boundary in the shading frame; (0, 0, 1): parallel boundaries.",
+                0.05,
+            ),
+            ParamInfo::rgb(
+                "base",
+                "Reflectance of the lower boundary, RGB.",
+                [0.0, 1.0],
+                1.0,
+            ),
+            ParamInfo::number(
+                "specular_weight",
+                "Weight of the specular part; in energy, specular_weight + diffuse_weight <= 1.",
+                [0.0, 1.0],
+                0.5,
+            )
+            .fixed(),
+            ParamInfo::number(
+                "diffuse_weight",
+                "Weight of the diffuse part.",
+                [0.0, 1.0],
+                0.5,
+            )
+            .fixed(),
+            ParamInfo::choice(
+                "variant",
+                "energy: reciprocal, albedo <= 1; paper: the printed formulas.",
+                &["energy", "paper"],
+            ),
+            ParamInfo::choice(
+                "phase_shift",
+                "half_wave for a base whose index is below the layer's.",
+                &["none", "half_wave"],
+            ),
         ],
         lobes: &[
-            LobeInfo { name: c"mirror", flags: GLOSSY },
-            LobeInfo { name: c"refracted red", flags: GLOSSY },
-            LobeInfo { name: c"refracted green", flags: GLOSSY },
-            LobeInfo { name: c"refracted blue", flags: GLOSSY },
+            LobeInfo {
+                name: "mirror",
+                flags: GLOSSY,
+            },
+            LobeInfo {
+                name: "refracted red",
+                flags: GLOSSY,
+            },
+            LobeInfo {
+                name: "refracted green",
+                flags: GLOSSY,
+            },
+            LobeInfo {
+                name: "refracted blue",
+                flags: GLOSSY,
+            },
             LobeInfo::DIFFUSE,
         ],
         not_reciprocal: Some(Exception {
             cases: &[&[PAPER]],
-            reason: c"variant = paper: the Fresnel factor takes the light's cosine alone, and the two crossings of the upper boundary take cosines in different media",
+            reason: "variant = paper: the Fresnel factor takes the light's cosine alone, and the two crossings of the upper boundary take cosines in different media",
         }),
         not_conserving: Some(Exception {
             cases: &[&[PAPER]],
-            reason: c"variant = paper: the lobes are not normalised, and the diffuse part reaches 2 / pi",
+            reason: "variant = paper: the lobes are not normalised, and the diffuse part reaches 2 / pi",
         }),
         ..ModelInfo::PLAIN
     };
@@ -132,7 +192,7 @@ impl Model for Layered {
         Ok(())
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared::new(values))))
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(LayeredSurface::new(values)))
     }
 }

@@ -5,16 +5,30 @@
 //! the lobes of R and of T bounds it.
 
 use super::super::power_lobe::{estimated_integral, mean, sample_about, smooth_cosine};
-use super::prepared::{Prepared, Shapes};
+use super::formulas::{LayeredSurface, Shapes};
 use super::{DIFFUSE_LOBE, MIRROR_LOBE, REFRACTED_LOBE};
-use crate::bsdf::model::{MAX_LOBES, PerLobe, Scattering, normalized};
+use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, normalized};
+use crate::bsdf::surface::Surface;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, warp};
 use crate::optics::schlick;
 
-impl<T: Lane> Scattering<T> for Prepared<T> {
+impl<T: Lane> Surface<T> for LayeredSurface<T> {
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [T; 3]) {
         self.set(param, value);
+    }
+
+    /// The lobes of the specular part interfere, and have the same flags: they are kept or removed together.
+    #[inline(always)]
+    fn retain(&mut self, lobes: LobeSet) {
+        if !lobes.contains(MIRROR_LOBE) {
+            self.specular_weight = T::new(0.0);
+            self.terms_used.specular = false;
+        }
+        if !lobes.contains(DIFFUSE_LOBE) {
+            self.diffuse_weight = T::new(0.0);
+            self.terms_used.diffuse = false;
+        }
     }
 
     #[inline(always)]
@@ -29,7 +43,7 @@ impl<T: Lane> Scattering<T> for Prepared<T> {
     }
 
     #[inline(always)]
-    fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+    fn choose(&self, wo: Vec3<T>) -> PerLobe<T> {
         let diffuse = self.diffuse_weight * self.diffuse_scale() * T::new(PI);
         let refracted = T::channels(self.refracted_shares(wo));
         let mut shares = [T::new(0.0); MAX_LOBES];
@@ -51,7 +65,7 @@ impl<T: Lane> Scattering<T> for Prepared<T> {
     }
 }
 
-impl<T: Lane> Prepared<T> {
+impl<T: Lane> LayeredSurface<T> {
     /// The density of each lobe at wi.
     #[inline(always)]
     fn densities(&self, wi: Vec3<T>, shapes: Option<&Shapes<T>>) -> PerLobe<T> {

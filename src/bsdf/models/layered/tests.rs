@@ -33,7 +33,7 @@ fn terms(case: &Case) -> [[f64; 3]; 4] {
     values.set_numbers(EXPONENT_TRANSMISSION, [case.exponents.1; 3]);
     values.set_numbers(BASE_NORMAL, direction(case.n1.0, case.n1.1).to_array());
     values.set_choice(VARIANT, VARIANT_PAPER);
-    let prepared = Prepared::<f64>::new(&values);
+    let prepared = LayeredSurface::<f64>::new(&values);
     let (wo, wi) = (
         direction(case.wo.0, case.wo.1),
         direction(case.wi.0, case.wi.1),
@@ -141,7 +141,7 @@ fn thickness_gives_the_reference_diffuse_coefficient() {
         let mut values = Values::defaults(&Layered::INFO);
         values.set_numbers(ETA, eta);
         values.set_numbers(THICKNESS_NM, [thickness; 3]);
-        f64::channels(Prepared::<f64>::new(&values).rho_d)
+        f64::channels(LayeredSurface::<f64>::new(&values).rho_d)
     };
     let old_metal = [1.506945410, 1.480631200, 1.450620590];
     assert_close(rho_d([1.5; 3], 15.0), old_metal, "rho_d");
@@ -164,7 +164,7 @@ fn the_mean_transmittance_is_the_mean_of_schlicks() {
     for (r0, r1) in [(1.0, 1.5), (1.0, 1.3), (1.33, 1.5), (1.0, 4.0)] {
         let f0 = crate::optics::normal_reflectance(r0, r1);
         let mean = mean_over_unit(|z| 2.0 * z * crate::optics::schlick_transmittance(f0, z));
-        let closed = prepared::average_transmittance(r0, r1);
+        let closed = formulas::average_transmittance(r0, r1);
         assert!((closed - mean).abs() < 1e-9, "{closed} {mean}");
     }
 }

@@ -7,7 +7,7 @@
 //!
 //! **Highlight**: D G F / (4 (n.l)(n.v)) with GGX (Walter et al. 2007, eq. 33), height-correlated
 //! Smith masking (Heitz 2014, eq. 99) and Schlick's F. alpha = roughness^2, and at least 1e-4. F0 is
-//! ((eta - 1) / (eta + 1))^2 of a dielectric (`specular` = index) or given (f0), the base colour of a
+//! ((eta - 1) / (eta + 1))^2 of a dielectric (`dielectric_from` = eta) or given (f0), the base colour of a
 //! metal, and between them in proportion to `metallic`; F90 is 1, also for an index of 1. A ratio of
 //! indices below 1 is not offered: metals have no F0 by that formula, as they absorb.
 //!
@@ -16,7 +16,7 @@
 //! dielectric F0, E_avg its mean, and f_d one of
 //!
 //! - `lambert`;
-//! - `oren_nayar`, the full form, sigma = diffuse_roughness in radians;
+//! - `oren_nayar`, the full form, sigma = `sigma_radians`;
 //! - `disney`, roughness = diffuse_roughness.
 //!
 //! The product is that of Kelemen and Szirmay-Kalos 2001 ("A Microfacet Based Coupled
@@ -33,12 +33,12 @@
 
 mod surface;
 
-use crate::bsdf::info::{LobeInfo, ModelInfo, ParamInfo};
-use crate::bsdf::mixture::Mixture;
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::compiled::kernel;
+use crate::bsdf::info::{Choice, LobeInfo, ModelInfo, ParamInfo};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
-use surface::Prepared;
+use surface::CompiledMaterial;
 
 /// The model; see the module's documentation.
 pub struct MetallicRoughness;
@@ -46,42 +46,92 @@ pub struct MetallicRoughness;
 const BASE_COLOR: usize = 0;
 const METALLIC: usize = 1;
 const ROUGHNESS: usize = 2;
-const SPECULAR: usize = 3;
+const DIELECTRIC_FROM: usize = 3;
 const ETA: usize = 4;
 const F0: usize = 5;
-const DIFFUSE: usize = 6;
-const DIFFUSE_ROUGHNESS: usize = 7;
+const DIFFUSE_FORM: usize = 6;
+const SIGMA_RADIANS: usize = 7;
+const DIFFUSE_ROUGHNESS: usize = 8;
 
-/// The choices of `specular`.
-const INDEX: usize = 0;
+/// The choices of `dielectric_from`.
+const FROM_ETA: usize = 0;
+const FROM_F0: usize = 1;
 
-/// The choices of `diffuse`.
+/// Choices of `diffuse_form`.
 const OREN_NAYAR: usize = 1;
 const DISNEY: usize = 2;
+
+const fn chosen(param: usize, choice: usize) -> Choice {
+    Choice { param, choice }
+}
 
 const DIFFUSE_LOBE: usize = 0;
 const SPECULAR_LOBE: usize = 1;
 
 impl Model for MetallicRoughness {
     const INFO: ModelInfo = ModelInfo {
-        name: c"metallic_roughness",
-        summary: c"Base colour, metallic and roughness: a GGX highlight over a diffuse part that gets what it leaves.",
-        source: c"Burley 2012; Walter et al. 2007; Heitz 2014; Kelemen and Szirmay-Kalos 2001, section 2.2",
+        name: "metallic_roughness",
+        summary: "Base colour, metallic and roughness: a GGX highlight over a diffuse part that gets what it leaves.",
+        source: "Burley 2012; Walter et al. 2007; Heitz 2014; Kelemen and Szirmay-Kalos 2001, section 2.2",
         params: &[
-            ParamInfo::rgb(c"base_color", c"Reflectance of a dielectric's diffuse part, F0 of a metal, RGB.", [0.0, 1.0], 0.5),
-            ParamInfo::number(c"metallic", c"0 a dielectric, 1 a metal.", [0.0, 1.0], 0.0),
-            ParamInfo::number(c"roughness", c"Of the highlight: its square is alpha, at least 1e-4.", [0.0, 1.0], 0.5),
-            ParamInfo::choice(c"specular", c"Whether eta or f0 gives the dielectric's reflectance.", &[c"index", c"f0"]),
-            ParamInfo::number(c"eta", c"Refractive index of the dielectric (specular index).", [1.0, 3.0], 1.5),
-            ParamInfo::number(c"f0", c"Reflectance of the dielectric at normal incidence (specular f0).", [0.0, 1.0], 0.04),
-            ParamInfo::choice(c"diffuse", c"Form of the diffuse part.", &[c"lambert", c"oren_nayar", c"disney"]),
-            ParamInfo::number(c"diffuse_roughness", c"Of the diffuse part: oren_nayar's sigma in radians, or disney's roughness.", [0.0, 1.0], 0.0),
+            ParamInfo::rgb(
+                "base_color",
+                "Reflectance of a dielectric's diffuse part, F0 of a metal, RGB.",
+                [0.0, 1.0],
+                0.5,
+            ),
+            ParamInfo::number("metallic", "0 a dielectric, 1 a metal.", [0.0, 1.0], 0.0),
+            ParamInfo::number(
+                "roughness",
+                "Of the highlight: its square is alpha, at least 1e-4.",
+                [0.0, 1.0],
+                0.5,
+            ),
+            ParamInfo::choice(
+                "dielectric_from",
+                "Whether eta or f0 gives the dielectric's reflectance.",
+                &["eta", "f0"],
+            ),
+            ParamInfo::number(
+                "eta",
+                "Refractive index of the dielectric (dielectric_from eta).",
+                [1.0, 3.0],
+                1.5,
+            )
+            .used_with(&[&[chosen(DIELECTRIC_FROM, FROM_ETA)]]),
+            ParamInfo::number(
+                "f0",
+                "Reflectance of the dielectric at normal incidence (dielectric_from f0).",
+                [0.0, 1.0],
+                0.04,
+            )
+            .used_with(&[&[chosen(DIELECTRIC_FROM, FROM_F0)]]),
+            ParamInfo::choice(
+                "diffuse_form",
+                "Form of the diffuse part.",
+                &["lambert", "oren_nayar", "disney"],
+            ),
+            ParamInfo::number(
+                "sigma_radians",
+                "Standard deviation of the facets' slope angle (diffuse_form oren_nayar).",
+                [0.0, 1.0],
+                0.0,
+            )
+            .in_unit("radians")
+            .used_with(&[&[chosen(DIFFUSE_FORM, OREN_NAYAR)]]),
+            ParamInfo::number(
+                "diffuse_roughness",
+                "0 darkens grazing angles, 1 brightens them (diffuse_form disney).",
+                [0.0, 1.0],
+                0.0,
+            )
+            .used_with(&[&[chosen(DIFFUSE_FORM, DISNEY)]]),
         ],
         lobes: &[LobeInfo::DIFFUSE, LobeInfo::SPECULAR],
         ..ModelInfo::PLAIN
     };
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        Ok(Box::new(Mixture(Prepared::new(values))))
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        Ok(kernel(CompiledMaterial::new(values)))
     }
 }

@@ -1,19 +1,21 @@
 //! The compiled model, and the surface that it is for one call.
 
 use super::{
-    BASE_COLOR, DIFFUSE, DIFFUSE_LOBE, DIFFUSE_ROUGHNESS, DISNEY, ETA, F0, INDEX, METALLIC,
-    OREN_NAYAR, ROUGHNESS, SPECULAR, SPECULAR_LOBE,
+    BASE_COLOR, DIELECTRIC_FROM, DIFFUSE_FORM, DIFFUSE_LOBE, DIFFUSE_ROUGHNESS, DISNEY, ETA, F0,
+    FROM_ETA, METALLIC, OREN_NAYAR, ROUGHNESS, SIGMA_RADIANS, SPECULAR_LOBE,
 };
-use crate::bsdf::mixture::Surfaces;
-use crate::bsdf::model::{MAX_LOBES, PerLobe, Scattering, normalized};
+use crate::bsdf::compiled::Compiled;
+use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, normalized};
 use crate::bsdf::models::disney_diffuse;
-use crate::bsdf::models::microfacet::distribution::Normals;
 use crate::bsdf::models::microfacet::energy::{Albedo, Energy, LEAST_ALPHA, Reflected, Row};
 use crate::bsdf::models::microfacet::ggx::Ggx;
-use crate::bsdf::models::microfacet::masking::{Masking, Pair};
-use crate::bsdf::models::oren_nayar::Facets;
+use crate::bsdf::models::microfacet::half_vector::HalfVector;
+use crate::bsdf::models::microfacet::masking::Masking;
+use crate::bsdf::models::microfacet::ndf::Ndf;
+use crate::bsdf::models::oren_nayar::Grooves;
 use crate::bsdf::models::power_lobe::mean;
 use crate::bsdf::precision::Precision;
+use crate::bsdf::surface::Surface;
 use crate::bsdf::values::Values;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, warp};
 use crate::optics::{normal_reflectance, schlick};
@@ -26,16 +28,16 @@ const LEAST_REMAINDER: f64 = 1e-3;
 const LEAST_SHARE: f64 = 1e-3;
 
 /// The compiled model.
-pub(super) struct Prepared<T: Lane> {
+pub(super) struct CompiledMaterial<T: Lane> {
     energy: Energy<T>,
     settings: Settings<T>,
 }
 
 /// The diffuse part's form and what it needs.
 #[derive(Clone, Copy)]
-enum Diffuse<T> {
+enum DiffuseForm<T> {
     Lambert,
-    OrenNayar(Facets<T>),
+    OrenNayar(Grooves<T>),
     Disney(T),
 }
 
@@ -49,14 +51,14 @@ struct Settings<T: Lane> {
     is_by_index: bool,
     /// Of the dielectric.
     f0: T,
-    diffuse: Diffuse<T>,
+    diffuse: DiffuseForm<T>,
 }
 
-impl<T: Precision> Prepared<T> {
+impl<T: Precision> CompiledMaterial<T> {
     pub(super) fn new(values: &Values<T>) -> Self {
         let lobe = |alpha, wo, u| {
-            let normals = Ggx::isotropic(alpha);
-            Reflected::by_normals(&normals, Masking::Smith, [alpha; 2], wo, u)
+            let ndf = Ggx::isotropic(alpha);
+            Reflected::by_ndf(&ndf, Masking::Smith, [alpha; 2], wo, u)
         };
         let alpha = alpha_of(values.number(ROUGHNESS));
         let energy = if values.varies(ROUGHNESS) {
@@ -64,8 +66,7 @@ impl<T: Precision> Prepared<T> {
         } else {
             Energy::of_alpha(alpha, |wo, u| lobe(alpha, wo, u))
         };
-        let is_by_index = values.choice(SPECULAR) == INDEX;
-        let roughness = values.number(DIFFUSE_ROUGHNESS);
+        let is_by_index = values.choice(DIELECTRIC_FROM) == FROM_ETA;
         let settings = Settings {
             base_color: T::rgb(values.rgb(BASE_COLOR)),
             metallic: values.number(METALLIC),
@@ -77,23 +78,25 @@ impl<T: Precision> Prepared<T> {
             } else {
                 values.number(F0)
             },
-            diffuse: match values.choice(DIFFUSE) {
-                OREN_NAYAR => Diffuse::OrenNayar(Facets::new(roughness)),
-                DISNEY => Diffuse::Disney(roughness),
-                _ => Diffuse::Lambert,
+            diffuse: match values.choice(DIFFUSE_FORM) {
+                OREN_NAYAR => DiffuseForm::OrenNayar(Grooves::new(values.number(SIGMA_RADIANS))),
+                DISNEY => DiffuseForm::Disney(values.number(DIFFUSE_ROUGHNESS)),
+                _ => DiffuseForm::Lambert,
             },
         };
         Self { energy, settings }
     }
 }
 
-impl<T: Precision> Surfaces<T> for Prepared<T> {
-    type Surface<'a, L: Lane<Scalar = T>> = Surface<'a, L>;
+impl<T: Precision> Compiled<T> for CompiledMaterial<T> {
+    type Surface<'a, L: Lane<Scalar = T>> = MaterialSurface<'a, L>;
 
     #[inline(always)]
-    fn surface<L: Lane<Scalar = T>>(&self) -> Surface<'_, L> {
+    fn surface<L: Lane<Scalar = T>>(&self) -> MaterialSurface<'_, L> {
         let settings = &self.settings;
-        Surface {
+        MaterialSurface {
+            has_diffuse: true,
+            has_highlight: true,
             energy: &self.energy,
             settings: Settings {
                 base_color: L::splat_rgb(settings.base_color),
@@ -103,9 +106,9 @@ impl<T: Precision> Surfaces<T> for Prepared<T> {
                 is_by_index: settings.is_by_index,
                 f0: L::splat(settings.f0),
                 diffuse: match &settings.diffuse {
-                    Diffuse::Lambert => Diffuse::Lambert,
-                    Diffuse::OrenNayar(facets) => Diffuse::OrenNayar(facets.splat()),
-                    Diffuse::Disney(roughness) => Diffuse::Disney(L::splat(*roughness)),
+                    DiffuseForm::Lambert => DiffuseForm::Lambert,
+                    DiffuseForm::OrenNayar(facets) => DiffuseForm::OrenNayar(facets.splat()),
+                    DiffuseForm::Disney(roughness) => DiffuseForm::Disney(L::splat(*roughness)),
                 },
             },
         }
@@ -118,12 +121,15 @@ fn alpha_of<T: Real>(roughness: T) -> T {
 }
 
 /// A surface for one call, or as many as there are lanes.
-pub(super) struct Surface<'a, T: Lane> {
+pub(super) struct MaterialSurface<'a, T: Lane> {
+    /// Whether each of the two parts takes part.
+    has_diffuse: bool,
+    has_highlight: bool,
     energy: &'a Energy<T::Scalar>,
     settings: Settings<T>,
 }
 
-impl<P: Precision, T: Lane<Scalar = P>> Surface<'_, T> {
+impl<P: Precision, T: Lane<Scalar = P>> MaterialSurface<'_, T> {
     /// F0 of the highlight: from the dielectric's to the base colour.
     #[inline(always)]
     fn specular_f0(&self) -> T::Rgb {
@@ -162,12 +168,12 @@ impl<P: Precision, T: Lane<Scalar = P>> Surface<'_, T> {
     fn diffuse(&self, wo: Vec3<T>, wi: Vec3<T>) -> T::Rgb {
         let base_color = self.settings.base_color;
         let (value, greatest) = match self.settings.diffuse {
-            Diffuse::Lambert => return base_color * (wi.z * T::new(1.0 / PI)).gray(),
-            Diffuse::OrenNayar(facets) => (
+            DiffuseForm::Lambert => return base_color * (wi.z * T::new(1.0 / PI)).gray(),
+            DiffuseForm::OrenNayar(facets) => (
                 facets.full(base_color, wo, wi),
                 facets.albedo_at_horizon(base_color),
             ),
-            Diffuse::Disney(roughness) => (
+            DiffuseForm::Disney(roughness) => (
                 base_color * disney_diffuse::value(roughness, wo, wi).gray(),
                 base_color * disney_diffuse::greatest_albedo(roughness).gray(),
             ),
@@ -179,7 +185,7 @@ impl<P: Precision, T: Lane<Scalar = P>> Surface<'_, T> {
     }
 }
 
-impl<P: Precision, T: Lane<Scalar = P>> Scattering<T> for Surface<'_, T> {
+impl<P: Precision, T: Lane<Scalar = P>> Surface<T> for MaterialSurface<'_, T> {
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [T; 3]) {
         let settings = &mut self.settings;
@@ -191,15 +197,18 @@ impl<P: Precision, T: Lane<Scalar = P>> Scattering<T> for Surface<'_, T> {
                 settings.alpha = alpha_of(number);
                 settings.row = self.energy.row(settings.alpha);
             }
-            ETA if settings.is_by_index => settings.f0 = normal_reflectance(T::new(1.0), number),
-            F0 if !settings.is_by_index => settings.f0 = number,
-            DIFFUSE_ROUGHNESS => match &mut settings.diffuse {
-                Diffuse::Lambert => {}
-                Diffuse::OrenNayar(facets) => *facets = Facets::new(number),
-                Diffuse::Disney(roughness) => *roughness = number,
-            },
+            ETA => settings.f0 = normal_reflectance(T::new(1.0), number),
+            F0 => settings.f0 = number,
+            SIGMA_RADIANS => settings.diffuse = DiffuseForm::OrenNayar(Grooves::new(number)),
+            DIFFUSE_ROUGHNESS => settings.diffuse = DiffuseForm::Disney(number),
             _ => {}
         }
+    }
+
+    #[inline(always)]
+    fn retain(&mut self, lobes: LobeSet) {
+        self.has_diffuse = lobes.contains(DIFFUSE_LOBE);
+        self.has_highlight = lobes.contains(SPECULAR_LOBE);
     }
 
     #[inline(always)]
@@ -210,22 +219,31 @@ impl<P: Precision, T: Lane<Scalar = P>> Scattering<T> for Surface<'_, T> {
     #[inline(always)]
     fn eval_with_densities(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, PerLobe<T>) {
         let alpha = self.settings.alpha;
-        let normals = Ggx::isotropic(alpha);
-        let pair = Pair::new(wo, wi);
-        let masking = normals.smith(&pair);
-        let highlight = normals.density_between(&pair) * masking;
+        let ndf = Ggx::isotropic(alpha);
+        let pair = HalfVector::new(wo, wi);
+        let masking = ndf.smith(&pair);
+        let d = ndf.density_between(&pair);
+        let highlight = d * masking;
         let fresnel = schlick(self.specular_f0(), pair.cos_half.gray());
         let diffuse = self.diffuse(wo, wi) * self.coupling(wo, wi).gray();
-        let value = T::channels(fresnel * highlight.gray() + diffuse);
+        let mut value = fresnel * highlight.gray() + diffuse;
+        if !(self.has_diffuse && self.has_highlight) {
+            value = match (self.has_diffuse, self.has_highlight) {
+                (true, _) => diffuse,
+                (_, true) => fresnel * highlight.gray(),
+                _ => T::Rgb::new(0.0),
+            };
+        }
+        let value = T::channels(value);
         let mut densities = [T::new(0.0); MAX_LOBES];
         densities[DIFFUSE_LOBE] = warp::cosine_hemisphere_pdf(wi.z);
-        densities[SPECULAR_LOBE] = normals.reflected_density(&pair);
+        densities[SPECULAR_LOBE] = ndf.reflected_density(&pair, d);
         (value, densities)
     }
 
     /// The albedo of each part, that of the highlight from the table.
     #[inline(always)]
-    fn selection(&self, wo: Vec3<T>) -> PerLobe<T> {
+    fn choose(&self, wo: Vec3<T>) -> PerLobe<T> {
         let one = T::new(1.0);
         let albedo = self.albedo_at(wo);
         let f0 = mean(T::channels(self.specular_f0()));

@@ -2,8 +2,7 @@
 //! and Efficient Rendering of Glossy Surfaces", section on the microfacet model; after Church and
 //! Takacs's spectra of polished surfaces): a tip and a tail of any power.
 
-use super::slopes::{matched_width, sin_squared, slope_density};
-use super::tabulated::{Profile, Tabulated, height};
+use super::slopes::{height, matched_width, sin_squared, slope_density};
 use crate::num::{Lane, Vec3, each};
 
 /// D(h) = A / (1 + B (1 - h.z))^C.
@@ -25,14 +24,11 @@ use crate::num::{Lane, Vec3, each};
 ///
 /// The area up to an angle is the difference of two powers of 1 + B (1 - h.z), which has no inverse in
 /// closed form: normals are drawn by table.
-pub(crate) type Abc<T> = Tabulated<T, Lobe<T>>;
-
-impl<T: Lane<Scalar = T>> Abc<T> {
-    /// With its tables.
-    pub(crate) fn of(alpha: f64, exponent: f64) -> Self {
-        let (a, b) = (height(alpha), width(alpha, exponent));
-        Self::new(alpha, Lobe::new(a, b, exponent), &Lobe::new(a, b, exponent))
-    }
+#[derive(Clone, Copy)]
+pub(crate) struct Abc<T> {
+    a: T,
+    b: T,
+    c: T,
 }
 
 /// The greatest ln(1 + B) that can be asked for: 37.4 for alpha = 1e-4 and C = 1/2.
@@ -44,30 +40,26 @@ fn width(alpha: f64, exponent: f64) -> f64 {
         return 0.0;
     }
     let ln_1p_b = matched_width(alpha, [0.0, WIDEST], |ln_1p_b, tan_squared| {
-        let lobe = Lobe::new(1.0, ln_1p_b.exp_m1(), exponent);
+        let lobe = Abc::<f64>::of_numbers(1.0, ln_1p_b.exp_m1(), exponent);
         slope_density(|h| lobe.density(h), tan_squared)
     });
     ln_1p_b.exp_m1()
 }
 
-/// The function with its three parameters.
-pub(crate) struct Lobe<T> {
-    a: T,
-    b: T,
-    c: T,
-}
+impl<T: Lane<Scalar = T>> Abc<T> {
+    /// Of alpha and the exponent C.
+    pub(crate) fn new(alpha: f64, exponent: f64) -> Self {
+        Self::of_numbers(height(alpha), width(alpha, exponent), exponent)
+    }
 
-impl<T: Lane> Lobe<T> {
-    fn new(a: f64, b: f64, c: f64) -> Self {
+    fn of_numbers(a: f64, b: f64, c: f64) -> Self {
         let [a, b, c] = [a, b, c].map(T::new);
         Self { a, b, c }
     }
-}
 
-impl<T: Lane<Scalar = T>> Profile<T> for Lobe<T> {
-    /// 1 - h.z is sin^2 / (1 + h.z), which keeps its digits.
+    /// D(h), per steradian. 1 - h.z is sin^2 / (1 + h.z), which keeps its digits.
     #[inline(always)]
-    fn density<L: Lane<Scalar = T>>(&self, h: Vec3<L>) -> L {
+    pub(super) fn density<L: Lane<Scalar = T>>(&self, h: Vec3<L>) -> L {
         let [a, b, c] = each!([self.a, self.b, self.c], |number| L::splat(number));
         let complement = sin_squared(h) / (L::new(1.0) + h.z);
         let density = a * (-(c * (b * complement).ln_1p())).exp();

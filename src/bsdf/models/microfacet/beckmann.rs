@@ -1,7 +1,7 @@
 //! The distribution of Beckmann and Spizzichino 1963: normally distributed slopes.
 
-use super::distribution::{Normals, stretched};
-use super::masking::Pair;
+use super::half_vector::HalfVector;
+use super::ndf::{Ndf, stretched};
 use crate::num::{Lane, Mask, PI, Real, Vec3, erfcx, erfinv};
 
 /// Beckmann with a roughness along each axis: the slopes have the variances alpha^2 / 2.
@@ -77,7 +77,7 @@ fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
     x
 }
 
-impl<T: Lane> Normals<T> for Beckmann<T> {
+impl<T: Lane> Ndf<T> for Beckmann<T> {
     /// Walter et al. 2007, eq. 25, and its anisotropic form, Heitz 2014, eq. 83. The tangent comes
     /// from h.x and h.y, which keep their digits for small alpha. Where the exponential is below
     /// e^-80 it is taken for 0, and 1 / h.z^4 is not needed.
@@ -97,7 +97,7 @@ impl<T: Lane> Normals<T> for Beckmann<T> {
     /// eq. 72, after Smith 1967. Multiplied by w.z = a s, s the stretched sine, it is
     /// s e^(-a^2) (1 / sqrt(pi) - a erfcx(a)) / 2. Beyond a = 6 it is below 1e-16 of w.z.
     #[inline(always)]
-    fn averted_area(&self, w: Vec3<T>) -> T {
+    fn cos_times_lambda(&self, w: Vec3<T>) -> T {
         let stretched = stretched(w, self.alpha);
         let sine = (stretched.x.squared() + stretched.y.squared()).sqrt();
         let is_bounded = w.z.lt(sine * T::new(6.0));
@@ -126,13 +126,9 @@ impl<T: Lane> Normals<T> for Beckmann<T> {
         Vec3::new(-x, -y, one).normalized()
     }
 
+    /// That of visible normals, G1 D <wo, h> / wo.z, over 4 <wo, h>.
     #[inline(always)]
-    fn sample_density(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.visible(wo, h) * wo.dot(h).max(T::new(0.0))
-    }
-
-    #[inline(always)]
-    fn reflected_density(&self, pair: &Pair<T>) -> T {
-        self.visible(pair.wo, pair.h()) * T::new(0.25)
+    fn reflected_density(&self, pair: &HalfVector<T>, d: T) -> T {
+        d / (pair.wo.z + self.cos_times_lambda(pair.wo)) * T::new(0.25)
     }
 }

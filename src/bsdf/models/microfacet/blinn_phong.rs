@@ -1,10 +1,7 @@
 //! Blinn's distribution of normals, a power of the cosine (Blinn 1977, "Models of Light Reflection for
 //! Computer Synthesized Pictures"; normalised by Walter et al. 2007, eq. 30).
 
-use super::distribution::Normals;
-use super::projected::Projected;
-use super::slopes::ln_cos_squared;
-use super::tabulated::height;
+use super::slopes::{height, ln_cos_squared};
 use crate::num::{Lane, Vec3};
 
 /// D(h) = (e + 2) / (2 pi) h.z^e with the exponent e = 2 / alpha^2 - 2, so that
@@ -13,73 +10,40 @@ use crate::num::{Lane, Vec3};
 ///
 /// alpha is in [1e-4, 1]. Smith's Lambda has no closed form but the approximation of Walter et al.
 /// 2007, section 5.2 (1.5 % off for alpha = 0.3); this is the exact one, tabulated.
+#[derive(Clone, Copy)]
 pub(crate) struct BlinnPhong<T> {
-    lobe: Power<T>,
+    at_normal: T,
+    half_exponent: T,
     /// ln h.z^2 = alpha^2 ln(1 - u).
     alpha_squared: T,
-    projected: Projected<T>,
 }
 
 impl<T: Lane<Scalar = T>> BlinnPhong<T> {
-    /// With its table.
+    /// Of alpha.
     pub(crate) fn new(alpha: f64) -> Self {
-        let lobe = Power::new(alpha);
-        Self {
-            lobe: Power::new(alpha),
-            alpha_squared: T::new(alpha * alpha),
-            projected: Projected::new(alpha, |h| lobe.density(h)),
-        }
-    }
-}
-
-/// The power itself.
-struct Power<T> {
-    at_normal: T,
-    half_exponent: T,
-}
-
-impl<T: Lane<Scalar = T>> Power<T> {
-    fn new(alpha: f64) -> Self {
-        let inverse = 1.0 / (alpha * alpha);
         Self {
             at_normal: T::new(height(alpha)),
-            half_exponent: T::new(inverse - 1.0),
+            half_exponent: T::new(1.0 / (alpha * alpha) - 1.0),
+            alpha_squared: T::new(alpha * alpha),
         }
     }
 
+    /// D(h), per steradian.
     #[inline(always)]
-    fn density<L: Lane<Scalar = T>>(&self, h: Vec3<L>) -> L {
+    pub(super) fn density<L: Lane<Scalar = T>>(&self, h: Vec3<L>) -> L {
         let exponent = L::splat(self.half_exponent) * ln_cos_squared(h);
         let density = L::splat(self.at_normal) * exponent.exp();
         L::select(h.z.gt(L::new(0.0)), density, L::new(0.0))
     }
-}
 
-impl<T: Lane<Scalar = T>, L: Lane<Scalar = T>> Normals<L> for &BlinnPhong<T> {
+    /// A normal with density D(h) h.z. The share of the projected area beyond an angle is
+    /// h.z^(e + 2) = (h.z^2)^(1 / alpha^2), which is inverted: Walter et al. 2007, eq. 31 and 32. sin^2 comes
+    /// from expm1, as 1 - h.z^2 has lost its digits.
     #[inline(always)]
-    fn density(&self, h: Vec3<L>) -> L {
-        self.lobe.density(h)
-    }
-
-    #[inline(always)]
-    fn averted_area(&self, w: Vec3<L>) -> L {
-        self.projected.averted_area(w)
-    }
-
-    /// The share of the projected area beyond an angle is h.z^(e + 2) = (h.z^2)^(1 / alpha^2), which
-    /// is inverted: Walter et al. 2007, eq. 31 and 32. sin^2 comes from expm1, as 1 - h.z^2 has lost its
-    /// digits.
-    #[inline(always)]
-    fn sample(&self, _wo: Vec3<L>, u: [L; 2]) -> Vec3<L> {
+    pub(super) fn sample<L: Lane<Scalar = T>>(&self, u: [L; 2]) -> Vec3<L> {
         let ln_cos_squared = L::splat(self.alpha_squared) * (-u[0]).ln_1p();
         let sine = (-ln_cos_squared.exp_m1()).sqrt_positive();
         let cosine = (ln_cos_squared * L::new(0.5)).exp();
         Vec3::new(sine * u[1].cos_turns(), sine * u[1].sin_turns(), cosine)
-    }
-
-    /// D(h) h.z
-    #[inline(always)]
-    fn sample_density(&self, _wo: Vec3<L>, h: Vec3<L>) -> L {
-        self.lobe.density(h) * h.z
     }
 }

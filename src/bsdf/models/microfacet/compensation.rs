@@ -16,7 +16,7 @@
 //! in which light that is reflected twice has the colour of one reflection.
 
 use super::energy::{Energy, Row};
-use super::fresnel::{Facets, Fresnel};
+use super::fresnel::{CompiledFresnel, Fresnel};
 use crate::bsdf::precision::Precision;
 use crate::error::Error;
 use crate::film::Film;
@@ -34,7 +34,7 @@ pub(super) struct Compensation<T> {
 
 /// The lobe for one call.
 #[derive(Clone, Copy)]
-pub(super) struct Returned<'a, T: Lane> {
+pub(super) struct MultipleScattering<'a, T: Lane> {
     energy: &'a Energy<T::Scalar>,
     row: Row<T>,
     /// Colour over 1 - Eavg.
@@ -43,11 +43,11 @@ pub(super) struct Returned<'a, T: Lane> {
 
 impl<T: Precision> Compensation<T> {
     #[inline(always)]
-    pub fn returned<L: Lane<Scalar = T>>(
+    pub fn multiple_scattering<L: Lane<Scalar = T>>(
         &self,
         alpha: L,
         fresnel: &Fresnel<'_, L>,
-    ) -> Returned<'_, L> {
+    ) -> MultipleScattering<'_, L> {
         let one = L::new(1.0);
         let row = self.energy.row(alpha);
         let escaping = row.mean.whole;
@@ -57,7 +57,7 @@ impl<T: Precision> Compensation<T> {
             let sum = mean.squared() * escaping / (one - mean * lost);
             sum / divisor
         });
-        Returned {
+        MultipleScattering {
             energy: &self.energy,
             row,
             color,
@@ -65,7 +65,7 @@ impl<T: Precision> Compensation<T> {
     }
 }
 
-impl<T: Precision, L: Lane<Scalar = T>> Returned<'_, L> {
+impl<T: Precision, L: Lane<Scalar = T>> MultipleScattering<'_, L> {
     /// E for F = 1.
     #[inline(always)]
     pub fn albedo(&self, cos_theta: L) -> L {
@@ -106,10 +106,12 @@ pub(super) enum Average<T> {
 
 impl<T: Precision> Average<T> {
     /// Fails for want of memory.
-    pub fn new(facets: &Facets<T>, is_film_varying: bool) -> Result<Self, Error> {
+    pub fn new(facets: &CompiledFresnel<T>, is_film_varying: bool) -> Result<Self, Error> {
         Ok(match facets {
-            Facets::Schlick { .. } => Self::Schlick,
-            Facets::Film { film, .. } if is_film_varying => Self::Film(Thicknesses::new(film)?),
+            CompiledFresnel::Schlick { .. } => Self::Schlick,
+            CompiledFresnel::Film { film, .. } if is_film_varying => {
+                Self::Film(Thicknesses::new(film)?)
+            }
             _ => Self::Constant(mean_reflectance(&facets.fresnel())),
         })
     }

@@ -1,64 +1,91 @@
-//! What is asked of a distribution of microfacet normals.
+//! The distribution of normals that a description chooses.
 
-use super::masking::Pair;
-use crate::num::{Lane, Vec3};
+use super::energy::{Energy, Reflected};
+use super::masking::Masking;
+use super::roughness::Roughness;
+use super::tabulated::Tabulated;
+use crate::bsdf::precision::Precision;
+use crate::num::Vec3;
 
-/// Within 1e-30 of the horizon factors that are not bounded there are held at this number, so that
-/// their product with D, at most 1 / (pi 1e-8), is one in single precision.
-pub(super) const GREATEST: f64 = 1e30;
+/// A distribution, with the tables that it needs.
+pub(super) enum Distribution<T> {
+    /// Its parameters are those of the [`Roughness`].
+    Ggx,
+    /// Its parameters are those of the [`Roughness`].
+    Beckmann,
+    /// For one alpha.
+    Tabulated(Box<Tabulated<T>>),
+}
 
-/// A distribution of microfacet normals with its parameters set; may borrow tables made at creation.
-///
-/// `wo` and `w` have z > 0; `h` is unit with z >= 0.
-pub(crate) trait Normals<T: Lane>: Copy {
-    /// D(h), per steradian; 0 for h.z <= 0. The integral of D(h) h.z over the hemisphere is 1.
-    fn density(&self, h: Vec3<T>) -> T;
+/// A [`Distribution`], borrowed: a copy in a surface, since lanes write memory that a reference might point
+/// to, and the compiler would read it again for each element.
+#[derive(Clone, Copy)]
+pub(super) enum DistributionRef<'a, T> {
+    Ggx,
+    Beckmann,
+    Tabulated(&'a Tabulated<T>),
+}
 
-    /// D of the half vector of two directions.
+impl<T> Distribution<T> {
     #[inline(always)]
-    fn density_between(&self, pair: &Pair<T>) -> T {
-        self.density(pair.h())
-    }
-
-    /// w.z Lambda(w) with Smith's Lambda (Heitz 2014, eq. 42 and 43): the projected area, seen from w
-    /// and per area of the surface, of the facets that face away from w, the integral of
-    /// D(h) max(0, -<w, h>). It is finite at the horizon, where Lambda itself is not, and G1 is
-    /// w.z / (w.z + averted_area).
-    fn averted_area(&self, w: Vec3<T>) -> T;
-
-    /// A normal for the viewer wo from two uniform numbers in [0, 1); unit.
-    fn sample(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T>;
-
-    /// The density of [`Normals::sample`], per steradian of h.
-    fn sample_density(&self, wo: Vec3<T>, h: Vec3<T>) -> T;
-
-    /// G / (4 n.v) with Smith's masking, G = 1 / (1 + Lambda(wo) + Lambda(wi)): Heitz 2014, eq. 99.
-    #[inline(always)]
-    fn smith(&self, pair: &Pair<T>) -> T {
-        let (nv, nl) = (pair.wo.z, pair.wi.z);
-        let seen = nv + self.averted_area(pair.wo);
-        T::new(0.25) / (seen + nv / nl * self.averted_area(pair.wi))
-    }
-
-    /// The density of visible normals over <wo, h>: G1 D / wo.z.
-    #[inline(always)]
-    fn visible(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) / (wo.z + self.averted_area(wo))
-    }
-
-    /// The density of wi, the mirror image of wo about a sampled h, per steradian of wi:
-    /// [`Normals::sample_density`] over 4 <wo, h> (Walter et al. 2007, eq. 14), whose inverse is held
-    /// at [`GREATEST`].
-    #[inline(always)]
-    fn reflected_density(&self, pair: &Pair<T>) -> T {
-        let jacobian = (T::new(0.25) / pair.cos_half).min(T::new(GREATEST));
-        self.sample_density(pair.wo, pair.h()) * jacobian
+    pub fn borrowed(&self) -> DistributionRef<'_, T> {
+        match self {
+            Self::Ggx => DistributionRef::Ggx,
+            Self::Beckmann => DistributionRef::Beckmann,
+            Self::Tabulated(tabulated) => DistributionRef::Tabulated(tabulated),
+        }
     }
 }
 
-/// The direction after the transformation that makes a distribution of roughness `alpha` along X and Y one
-/// of alpha = 1, not normalised.
-#[inline(always)]
-pub(super) fn stretched<T: Lane>(w: Vec3<T>, alpha: [T; 2]) -> Vec3<T> {
-    Vec3::new(w.x * alpha[0], w.y * alpha[1], w.z)
+/// Evaluates an expression in the [`Ndf`](super::ndf::Ndf) of a [`DistributionRef`] and a [`Roughness`]. The
+/// choice is made where it is used, since an enumeration that holds lanes would be taken apart in memory.
+macro_rules! with_ndf {
+    ($distribution:expr, $roughness:expr, |$ndf:ident| $body:expr) => {
+        match $distribution {
+            $crate::bsdf::models::microfacet::distribution::DistributionRef::Ggx => {
+                let $ndf = $crate::bsdf::models::microfacet::ggx::Ggx {
+                    alpha: $roughness.axes,
+                    is_round: $roughness.is_round,
+                };
+                $body
+            }
+            $crate::bsdf::models::microfacet::distribution::DistributionRef::Beckmann => {
+                let $ndf = $crate::bsdf::models::microfacet::beckmann::Beckmann {
+                    alpha: $roughness.axes,
+                };
+                $body
+            }
+            $crate::bsdf::models::microfacet::distribution::DistributionRef::Tabulated($ndf) => {
+                $body
+            }
+        }
+    };
+}
+pub(super) use with_ndf;
+
+impl<T: Precision> Distribution<T> {
+    /// The albedo with F = 1, for one alpha or, if it varies, all of them. Not for stretched surfaces.
+    pub fn energy(
+        &self,
+        roughness: &Roughness<T>,
+        masking: Masking,
+        is_varying: bool,
+    ) -> Energy<T> {
+        let lobe = |alpha: T, wo: Vec3<T>, [azimuth, other]: [T; 2]| {
+            let roughness = roughness.with_alpha(alpha);
+            // Of all but GGX the second number is the azimuth, or does not lead to the horizon.
+            let u = match self {
+                Self::Ggx => [azimuth, other],
+                _ => [other, azimuth],
+            };
+            with_ndf!(self.borrowed(), roughness, |ndf| Reflected::by_ndf(
+                &ndf, masking, [alpha; 2], wo, u
+            ))
+        };
+        if is_varying {
+            Energy::over_alpha(lobe)
+        } else {
+            Energy::of_alpha(roughness.alpha, |wo, u| lobe(roughness.alpha, wo, u))
+        }
+    }
 }

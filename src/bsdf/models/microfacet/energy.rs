@@ -23,11 +23,12 @@
 //!
 //! **Cost**: 105,560 samples of the lobe for all alphas, 7,540 for one.
 
-use super::distribution::Normals;
-use super::masking::{Masking, Pair};
+use super::half_vector::HalfVector;
+use super::masking::Masking;
+use super::ndf::Ndf;
 use crate::bsdf::precision::Precision;
 use crate::num::spline::{controls, weights};
-use crate::num::{Lane, Real, Rgb, TableBlock, TableEntry, Vec3, each};
+use crate::num::{INDEX_BIAS, Lane, Real, Rgb, TableBlock, TableEntry, Vec3, each};
 
 /// Values along the cosine and, if there is more than one, along alpha.
 const COSINES: usize = 20;
@@ -77,20 +78,20 @@ pub(crate) struct Reflected<T> {
 impl<T: Lane> Reflected<T> {
     /// By the normals that the distribution draws.
     #[inline(always)]
-    pub fn by_normals<N: Normals<T>>(
-        normals: &N,
+    pub fn by_ndf<N: Ndf<T>>(
+        ndf: &N,
         masking: Masking,
         alpha: [T; 2],
         wo: Vec3<T>,
         u: [T; 2],
     ) -> Self {
         let zero = T::new(0.0);
-        let wi = wo.mirrored_about(normals.sample(wo, u));
+        let wi = wo.mirrored_about(ndf.sample(wo, u));
         let is_above = wi.z.gt(zero);
-        let pair = Pair::new(wo, Vec3::select(is_above, wi, wo));
-        let density = normals.reflected_density(&pair);
-        let value = normals.density_between(&pair)
-            * masking.factor(masking.of_normals(normals, &pair), alpha, &pair);
+        let pair = HalfVector::new(wo, Vec3::select(is_above, wi, wo));
+        let d = ndf.density_between(&pair);
+        let density = ndf.reflected_density(&pair, d);
+        let value = d * masking.factor(masking.of_ndf(ndf, &pair), alpha, &pair);
         let is_usable = is_above & density.gt(zero);
         let weight = value / T::select(is_usable, density, T::new(1.0));
         Self {
@@ -150,7 +151,7 @@ impl<T: Precision> Energy<T> {
     #[inline(always)]
     pub fn row<L: Lane<Scalar = T>>(&self, alpha: L) -> Row<L> {
         let (first, along) = if self.is_fixed {
-            (L::new(0.0), weights(L::new(0.0)))
+            (L::new(INDEX_BIAS), weights(L::new(0.0)))
         } else {
             let least = L::new(LEAST_ALPHA.cbrt());
             let step = L::new((ALPHAS - 1) as f64 / (1.0 - LEAST_ALPHA.cbrt()));
@@ -234,12 +235,12 @@ impl<T: Lane<Scalar = T>> Row<T> {
     }
 }
 
-/// The whole number in [0, count) nearest to a position, and the distance from it.
+/// The whole number in [0, count) nearest to a position, plus [`INDEX_BIAS`], and the distance from it.
 #[inline(always)]
 fn nearest<T: Real>(position: T, count: usize) -> (T, T) {
     let index = position.round().max(T::new(0.0));
     let index = index.min(T::new((count - 1) as f64));
-    (index, position - index)
+    (index + T::new(INDEX_BIAS), position - index)
 }
 
 fn packed<T: Real>([whole, difference, _]: Rgb<f64>) -> TableEntry<T> {

@@ -67,7 +67,7 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
 }
 
 /// What facets consist of, as compiled: the same kinds, owning the film.
-pub(super) enum Facets<T: Lane> {
+pub(super) enum CompiledFresnel<T: Lane> {
     /// [`Fresnel::Schlick`]
     Schlick { f0: T::Rgb, f90: T::Rgb },
     /// [`Fresnel::Dielectric`]
@@ -80,7 +80,7 @@ pub(super) enum Facets<T: Lane> {
     Film { film: Arc<Film>, thickness_nm: T },
 }
 
-impl<T: Precision> Facets<T> {
+impl<T: Precision> CompiledFresnel<T> {
     /// Of a named medium without a coating.
     pub fn of_metal(name: &str) -> Result<Self, Error> {
         let film = Film::new(&FilmDescription::new(Medium::named(name)?))?;
@@ -91,11 +91,17 @@ impl<T: Precision> Facets<T> {
     }
 
     /// See [`Kernel::plan`](crate::bsdf::kernel::Kernel::plan).
-    pub fn plan(&self) -> Option<&'static str> {
+    pub fn plan(&self) -> Vec<&'static str> {
+        const LOST_IN_BASE: &str =
+            "what enters the facets is absorbed, as this model only reflects";
         match self {
-            Self::Dielectric { is_gray: true, .. } => Some("one index for all channels"),
-            Self::Polynomial(_) => Some("conductor by polynomials"),
-            _ => None,
+            Self::Dielectric { is_gray: true, .. } => {
+                vec!["one index for all channels", LOST_IN_BASE]
+            }
+            Self::Dielectric { .. } => vec![LOST_IN_BASE],
+            Self::Polynomial(_) => vec!["conductor by polynomials"],
+            Self::Film { film, .. } if !film.description().base.absorbs() => vec![LOST_IN_BASE],
+            _ => Vec::new(),
         }
     }
 

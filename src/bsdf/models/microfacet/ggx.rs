@@ -1,8 +1,8 @@
 //! The distribution of Trowbridge and Reitz 1975, called GGX since Walter et al. 2007: the slopes of
 //! an ellipsoid's surface, with long tails.
 
-use super::distribution::{Normals, stretched};
-use super::masking::Pair;
+use super::half_vector::HalfVector;
+use super::ndf::{Ndf, stretched};
 use crate::num::{Lane, PI, Vec3};
 
 /// GGX with a roughness along each axis.
@@ -54,7 +54,7 @@ impl<T: Lane> Ggx<T> {
     }
 }
 
-impl<T: Lane> Normals<T> for Ggx<T> {
+impl<T: Lane> Ndf<T> for Ggx<T> {
     #[inline(always)]
     fn density(&self, h: Vec3<T>) -> T {
         let density = self.density_along(h, T::new(1.0));
@@ -62,27 +62,22 @@ impl<T: Lane> Normals<T> for Ggx<T> {
     }
 
     #[inline(always)]
-    fn density_between(&self, pair: &Pair<T>) -> T {
+    fn density_between(&self, pair: &HalfVector<T>) -> T {
         self.density_along(pair.sum, pair.length_squared)
     }
 
-    /// 1 + Lambda = (w.z + length) / (2 w.z), see [`Normals::averted_area`]: with those of both directions the
+    /// 1 + Lambda = (w.z + length) / (2 w.z), see [`Ndf::cos_times_lambda`]: with those of both directions the
     /// differences of the lengths cancel on paper.
     #[inline(always)]
-    fn smith(&self, pair: &Pair<T>) -> T {
+    fn smith(&self, pair: &HalfVector<T>) -> T {
         let ratio = pair.wo.z / pair.wi.z;
         T::new(0.5) / (self.length(pair.wo) + ratio * self.length(pair.wi))
-    }
-
-    #[inline(always)]
-    fn visible(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.density(h) * T::new(2.0) / (wo.z + self.length(wo))
     }
 
     /// Lambda = (sqrt(1 + alpha^2 tan^2) - 1) / 2: Heitz 2014, eq. 72 and 80. Multiplied by w.z it is
     /// half the difference of two lengths, written without cancellation.
     #[inline(always)]
-    fn averted_area(&self, w: Vec3<T>) -> T {
+    fn cos_times_lambda(&self, w: Vec3<T>) -> T {
         let stretched = stretched(w, self.alpha);
         let across = stretched.x.squared() + stretched.y.squared();
         let length = (across + w.z.squared()).sqrt();
@@ -105,13 +100,9 @@ impl<T: Lane> Normals<T> for Ggx<T> {
         Vec3::new(x * self.alpha[0], y * self.alpha[1], height).normalized()
     }
 
+    /// That of visible normals, G1 D <wo, h> / wo.z, over 4 <wo, h>.
     #[inline(always)]
-    fn sample_density(&self, wo: Vec3<T>, h: Vec3<T>) -> T {
-        self.visible(wo, h) * wo.dot(h).max(T::new(0.0))
-    }
-
-    #[inline(always)]
-    fn reflected_density(&self, pair: &Pair<T>) -> T {
-        self.density_between(pair) * T::new(0.5) / (pair.wo.z + self.length(pair.wo))
+    fn reflected_density(&self, pair: &HalfVector<T>, d: T) -> T {
+        d * T::new(0.5) / (pair.wo.z + self.length(pair.wo))
     }
 }

@@ -1,6 +1,7 @@
 //! Masking and shadowing, the factor G: which part of the facets both directions see.
 
-use super::distribution::{GREATEST, Normals};
+use super::half_vector::HalfVector;
+use super::ndf::{GREATEST, Ndf};
 use crate::num::{Lane, Real, Vec3};
 
 /// The choices of the parameter `masking`, in their order.
@@ -18,78 +19,6 @@ pub(crate) enum Masking {
     Implicit,
 }
 
-/// Two directions and what lies between them.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pair<T> {
-    /// To the viewer.
-    pub wo: Vec3<T>,
-    /// To the light.
-    pub wi: Vec3<T>,
-    /// A vector along the half vector h, whose largest component is 1 in magnitude.
-    pub sum: Vec3<T>,
-    /// The length of `sum`, and its square.
-    pub length: T,
-    pub length_squared: T,
-    /// <wo, h> = <wi, h>, in (0, 1].
-    pub cos_half: T,
-}
-
-impl<T: Real> Pair<T> {
-    /// Of two directions with z > 0. The sum is divided by its largest component before its length
-    /// is taken, since along the surface both may be as small as numbers can be. Sums of nearly
-    /// opposite components are exact, so h keeps its digits where a narrow lobe needs them. For unit
-    /// vectors <wo, h> is half the length of the sum, which is never 0.
-    #[inline(always)]
-    pub fn new(wo: Vec3<T>, wi: Vec3<T>) -> Self {
-        let sum = wo.plus(wi);
-        let largest = sum.x.abs().max(sum.y.abs()).max(sum.z);
-        let sum = sum.scaled(T::new(1.0) / largest.max(T::new(LEAST_SUM)));
-        let length_squared = sum.length_squared();
-        let length = length_squared.sqrt();
-        let half = largest * length * T::new(0.5);
-        Self {
-            wo,
-            wi,
-            sum,
-            length,
-            length_squared,
-            cos_half: half.min(T::new(1.0)),
-        }
-    }
-
-    /// The half vector, unit.
-    #[inline(always)]
-    pub fn h(&self) -> Vec3<T> {
-        let mut h = self.sum.scaled(T::new(1.0) / self.length);
-        h.z = h.z.max(T::new(LEAST_NORMAL));
-        h
-    }
-
-    /// With all directions turned about +Z by the angle of the given cosine and sine.
-    #[inline(always)]
-    pub fn turned(&self, turn: [T; 2]) -> Self {
-        Self {
-            wo: turned(self.wo, turn),
-            wi: turned(self.wi, turn),
-            sum: turned(self.sum, turn),
-            ..*self
-        }
-    }
-}
-
-/// The direction turned about +Z by the angle of the given cosine and sine.
-#[inline(always)]
-pub(super) fn turned<T: Real>(w: Vec3<T>, [cos, sin]: [T; 2]) -> Vec3<T> {
-    Vec3::new(w.x * cos - w.y * sin, w.x * sin + w.y * cos, w.z)
-}
-
-/// The least number whose inverse is one in single precision, but for rounding.
-const LEAST_SUM: f64 = 1.2e-38;
-
-/// Half vectors are at least this high: it changes none above the horizon's last 1e-30, and lets
-/// distributions take their logarithm.
-const LEAST_NORMAL: f64 = 1e-30;
-
 impl Masking {
     /// In the order of the parameter's choices.
     pub const ALL: [Self; 5] = [
@@ -100,11 +29,11 @@ impl Masking {
         Self::Implicit,
     ];
 
-    /// [`Normals::smith`], where it is asked for: all that masking needs of the distribution.
+    /// [`Ndf::smith`], where it is asked for: all that masking needs of the distribution.
     #[inline(always)]
-    pub fn of_normals<T: Lane, N: Normals<T>>(self, normals: &N, pair: &Pair<T>) -> T {
+    pub fn of_ndf<T: Lane, N: Ndf<T>>(self, ndf: &N, pair: &HalfVector<T>) -> T {
         if self == Self::Smith {
-            normals.smith(pair)
+            ndf.smith(pair)
         } else {
             T::new(0.0)
         }
@@ -114,7 +43,7 @@ impl Masking {
     /// cancelled on paper, because their products vanish in rounding at the horizon. Those of
     /// [`Masking::Kelemen`] and [`Masking::CookTorrance`] are held at [`GREATEST`].
     #[inline(always)]
-    pub fn factor<T: Lane>(self, smith: T, alpha: [T; 2], pair: &Pair<T>) -> T {
+    pub fn factor<T: Lane>(self, smith: T, alpha: [T; 2], pair: &HalfVector<T>) -> T {
         let (one, quarter) = (T::new(1.0), T::new(0.25));
         let (nv, nl) = (pair.wo.z, pair.wi.z);
         let vh = pair.cos_half;

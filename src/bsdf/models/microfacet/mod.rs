@@ -18,7 +18,7 @@
 //! exchanged. A roughness slider's alpha is usually its square (Burley 2012). A Phong exponent e has
 //! alpha = sqrt(2 / (e + 2)) (Walter et al. 2007, section 5.2, for the normals' exponent). `ggx` and
 //! `beckmann` can be stretched: by `anisotropy` to alpha / a along and alpha a across, a =
-//! sqrt(1 - 0.9 anisotropy) (Burley 2012), the rougher direction `rotation` turns from +X. alpha = 0 is a
+//! sqrt(1 - 0.9 anisotropy) (Burley 2012), the rougher direction `rotation_turns` turns from +X. alpha = 0 is a
 //! perfect mirror; between 0 and 1e-4 single precision has no digits left, and the description is refused.
 //! The other three have tables for one alpha: theirs cannot vary.
 //!
@@ -58,36 +58,38 @@ pub(crate) mod beckmann;
 pub(crate) mod blinn_phong;
 mod compensation;
 mod cubics;
-pub(crate) mod distribution;
+mod distribution;
 pub(crate) mod energy;
 mod fresnel;
 pub(crate) mod ggx;
+pub(crate) mod half_vector;
 pub(crate) mod masking;
-mod prepared;
+mod mirror;
+pub(crate) mod ndf;
 mod projected;
 mod quantile;
+mod rough;
 mod roughness;
 pub(crate) mod sgd;
 mod slopes;
 mod tabulated;
 
-use self::abc::Abc;
-use self::blinn_phong::BlinnPhong;
 use self::compensation::{Average, Compensation};
-use self::fresnel::Facets;
+use self::distribution::Distribution;
+use self::fresnel::CompiledFresnel;
 use self::masking::Masking;
-use self::roughness::{Normalized, Shape};
-use self::sgd::Sgd;
+use self::mirror::Mirror;
+use self::rough::Rough;
+use self::roughness::Roughness;
+use self::tabulated::Tabulated;
+use crate::bsdf::compiled::kernel;
 use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
-use crate::bsdf::mixture::Mixture;
-use crate::bsdf::model::{Compiled, Model};
+use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::{Bounds, Values};
 use crate::error::Error;
 use crate::film::MAX_THICKNESS_NM;
 use crate::optics::ConductorPolynomial;
-use prepared::{Mirror, Rough};
-use std::ffi::CStr;
 use std::sync::Arc;
 
 /// The model; see the module's documentation.
@@ -114,6 +116,7 @@ const GGX: usize = 0;
 const BECKMANN: usize = 1;
 const BLINN_PHONG: usize = 2;
 const ABC: usize = 3;
+const SGD: usize = 4;
 
 /// Choices of `masking`.
 const SCHLICK_MASKING: usize = 1;
@@ -132,9 +135,26 @@ const OFF: usize = 0;
 const CUSTOM: usize = 0;
 
 /// The choices of `metal`: after the first the names of media.
-const METALS: &[&CStr] = &[
-    c"custom", c"Ag", c"Al", c"Au", c"Cr", c"Cu", c"Fe", c"Ni", c"Pt", c"Ti",
+const METALS: &[&str] = &[
+    "custom", "Ag", "Al", "Au", "Cr", "Cu", "Fe", "Ni", "Pt", "Ti",
 ];
+
+const WITH_SCHLICK: &[&[Choice]] = &[&[chosen(FRESNEL, SCHLICK)]];
+const WITH_CONDUCTOR: &[&[Choice]] = &[&[chosen(FRESNEL, CONDUCTOR)]];
+const WITH_K: &[&[Choice]] = &[&[chosen(FRESNEL, CONDUCTOR), chosen(METAL, CUSTOM)]];
+const WITH_ETA: &[&[Choice]] = &[
+    &[chosen(FRESNEL, DIELECTRIC)],
+    &[chosen(FRESNEL, CONDUCTOR), chosen(METAL, CUSTOM)],
+];
+/// The distributions that can be stretched.
+const WITH_STRETCH: &[&[Choice]] = &[
+    &[chosen(DISTRIBUTION, GGX)],
+    &[chosen(DISTRIBUTION, BECKMANN)],
+];
+
+const fn chosen(param: usize, choice: usize) -> Choice {
+    Choice { param, choice }
+}
 
 /// Least roughness that is not a mirror's.
 const LEAST_ALPHA: f32 = 1e-4;
@@ -142,89 +162,81 @@ const LEAST_ALPHA: f32 = 1e-4;
 /// A mirror has the first, a rough surface the second, and the third with energy compensation.
 const LOBES: &[LobeInfo] = &[
     LobeInfo {
-        name: c"mirror",
+        name: "mirror",
         flags: Flags::REFLECTION.with(Flags::DELTA),
     },
     LobeInfo {
-        name: c"reflection",
+        name: "reflection",
         flags: Flags::REFLECTION.with(Flags::GLOSSY),
     },
     LobeInfo {
-        name: c"multiple reflection",
+        name: "multiple reflection",
         flags: Flags::REFLECTION.with(Flags::DIFFUSE),
     },
 ];
 
 /// Numbers of a rough surface's lobes in a sample.
 const REFLECTION_LOBE: usize = 0;
-const RETURNED_LOBE: usize = 1;
+const MULTIPLE_LOBE: usize = 1;
 
 impl Model for Microfacet {
     const INFO: ModelInfo = ModelInfo {
-        name: c"microfacet",
-        summary: c"Reflection by many small facets: distribution of normals, masking and Fresnel factor of choice.",
-        source: c"Torrance and Sparrow 1967; Cook and Torrance 1982; Walter et al. 2007, eq. 20; Heitz 2014",
+        name: "microfacet",
+        summary: "Reflection by many small facets: distribution of normals, masking and Fresnel factor of choice.",
+        source: "Torrance and Sparrow 1967; Cook and Torrance 1982; Walter et al. 2007, eq. 20; Heitz 2014",
         params: &[
             ParamInfo::choice(
-                c"distribution",
-                c"Distribution of the facets' normals, D.",
-                &[c"ggx", c"beckmann", c"blinn_phong", c"abc", c"sgd"],
+                "distribution",
+                "Distribution of the facets' normals, D.",
+                &["ggx", "beckmann", "blinn_phong", "abc", "sgd"],
             ),
             ParamInfo::choice(
-                c"masking",
-                c"Masking and shadowing, G; smith is exact for the distribution.",
+                "masking",
+                "Masking and shadowing, G; smith is exact for the distribution.",
                 &[
-                    c"smith",
-                    c"schlick",
-                    c"kelemen",
-                    c"cook_torrance",
-                    c"implicit",
+                    "smith",
+                    "schlick",
+                    "kelemen",
+                    "cook_torrance",
+                    "implicit",
                 ],
             ),
             ParamInfo::choice(
-                c"fresnel",
-                c"Fresnel factor, F: schlick takes f0 and f90; dielectric eta; conductor a metal, or eta and k; film a film and thickness_nm.",
-                &[c"schlick", c"dielectric", c"conductor", c"film"],
+                "fresnel",
+                "Fresnel factor, F: schlick takes f0 and f90; dielectric eta; conductor a metal, or eta and k; film a film and thickness_nm.",
+                &["schlick", "dielectric", "conductor", "film"],
             ),
-            ParamInfo::number(c"alpha", c"Roughness: 0 is a perfect mirror, else at least 1e-4; the square of a roughness slider, sqrt(2 / (e + 2)) for a Phong exponent e. Varies for ggx and beckmann.", [0.0, 1.0], 0.3),
-            ParamInfo::number(c"anisotropy", c"Stretch of the highlight, ggx and beckmann only: alpha over and times sqrt(1 - 0.9 anisotropy) along and across.", [0.0, 1.0], 0.0),
-            ParamInfo::number(c"rotation", c"Angle from +X to the rougher axis about +Z.", [0.0, 1.0], 0.0).in_unit(c"turns"),
-            ParamInfo::rgb(c"f0", c"Reflectance at normal incidence, RGB (fresnel schlick).", [0.0, 1.0], 0.04),
-            ParamInfo::rgb(c"f90", c"Reflectance at grazing incidence, RGB (fresnel schlick).", [0.0, 1.0], 1.0).fixed(),
-            ParamInfo::rgb(c"eta", c"Refractive index, RGB (fresnel dielectric, at least 1, and conductor).", [0.01, 10.0], 1.5).fixed(),
-            ParamInfo::rgb(c"k", c"Extinction coefficient, RGB (fresnel conductor).", [0.0, 20.0], 0.0).fixed(),
+            ParamInfo::number("alpha", "Roughness: 0 is a perfect mirror, else at least 1e-4; the square of a roughness slider, sqrt(2 / (e + 2)) for a Phong exponent e. Varies for ggx and beckmann.", [0.0, 1.0], 0.3),
+            ParamInfo::number("anisotropy", "Stretch of the highlight, ggx and beckmann only: alpha over and times sqrt(1 - 0.9 anisotropy) along and across.", [0.0, 1.0], 0.0),
+            ParamInfo::number("rotation_turns", "Angle from +X to the rougher axis about +Z.", [0.0, 1.0], 0.0).in_unit("turns").used_with(WITH_STRETCH),
+            ParamInfo::rgb("f0", "Reflectance at normal incidence, RGB (fresnel schlick).", [0.0, 1.0], 0.04).used_with(WITH_SCHLICK),
+            ParamInfo::rgb("f90", "Reflectance at grazing incidence, RGB (fresnel schlick).", [0.0, 1.0], 1.0).fixed().used_with(WITH_SCHLICK),
+            ParamInfo::rgb("eta", "Refractive index, RGB (fresnel dielectric, at least 1, and conductor).", [0.01, 10.0], 1.5).fixed().used_with(WITH_ETA),
+            ParamInfo::rgb("k", "Extinction coefficient, RGB (fresnel conductor).", [0.0, 20.0], 0.0).fixed().used_with(WITH_K),
             ParamInfo::choice(
-                c"metal",
-                c"Fresnel conductor: custom takes eta and k, a metal its measured spectrum.",
+                "metal",
+                "Fresnel conductor: custom takes eta and k, a metal its measured spectrum.",
                 METALS,
-            ),
-            ParamInfo::number(c"thickness_nm", c"Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does (fresnel film).", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit(c"nm"),
-            ParamInfo::number(c"abc_exponent", c"Steepness of the tail, the lecture's second parameter (distribution abc).", [0.5, 10.0], 1.2).fixed(),
-            ParamInfo::number(c"sgd_p", c"Power of the tail; 0 is beckmann (distribution sgd).", [0.0, 4.0], 0.44).fixed(),
+            )
+            .used_with(WITH_CONDUCTOR),
+            ParamInfo::number("thickness_nm", "Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does (fresnel film).", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit("nm"),
+            ParamInfo::number("abc_exponent", "Steepness of the tail, the lecture's second parameter (distribution abc).", [0.5, 10.0], 1.2).fixed().used_with(&[&[chosen(DISTRIBUTION, ABC)]]),
+            ParamInfo::number("sgd_p", "Power of the tail; 0 is beckmann (distribution sgd).", [0.0, 4.0], 0.44).fixed().used_with(&[&[chosen(DISTRIBUTION, SGD)]]),
             ParamInfo::choice(
-                c"energy_compensation",
-                c"on: light that masking takes away comes back as if reflected by further facets; not for stretched surfaces.",
-                &[c"off", c"on"],
+                "energy_compensation",
+                "on: light that masking takes away comes back as if reflected by further facets; not for stretched surfaces.",
+                &["off", "on"],
             ),
         ],
         lobes: LOBES,
         film_thickness: Some(THICKNESS_NM),
-        film_choice: Some(Choice {
-            param: FRESNEL,
-            choice: FILM,
-        }),
+        film_choice: Some(chosen(FRESNEL, FILM)),
         not_conserving: Some(Exception {
             cases: &[&[
-                Choice {
-                    param: DISTRIBUTION,
-                    choice: ABC,
-                },
-                Choice {
-                    param: MASKING,
-                    choice: SCHLICK_MASKING,
-                },
+                chosen(DISTRIBUTION, ABC),
+                chosen(MASKING, SCHLICK_MASKING),
             ]],
-            reason: c"distribution = abc with masking = schlick: the printed k follows from alpha alone, and the tail's facets are steeper",
+            reason: "distribution = abc with masking = schlick: the printed k follows from alpha alone, and the tail's facets are steeper",
         }),
         ..ModelInfo::PLAIN
     };
@@ -241,33 +253,33 @@ impl Model for Microfacet {
         check(bounds)
     }
 
-    fn prepare<T: Precision>(values: &Values<T>) -> Compiled<T> {
-        let facets = facets(values)?;
+    fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
+        let fresnel = fresnel(values)?;
         let masking = Masking::ALL[values.choice(MASKING)];
         if is_mirror(values) {
-            return Ok(Box::new(Mirror { facets, masking }));
+            return Ok(Box::new(Mirror { fresnel, masking }));
         }
-        let shape = Shape::new(
+        let roughness = Roughness::new(
             values.number(ALPHA),
             values.number(ANISOTROPY),
             values.number(ROTATION),
             values.number(ANISOTROPY) == T::new(0.0) && !values.varies(ANISOTROPY),
         );
-        let normals = normals(values);
+        let distribution = distribution(values);
         let compensation = if values.choice(ENERGY_COMPENSATION) == OFF {
             None
         } else {
-            let average = Average::new(&facets, values.varies(THICKNESS_NM))?;
-            let energy = normals.energy(&shape, masking, values.varies(ALPHA));
+            let average = Average::new(&fresnel, values.varies(THICKNESS_NM))?;
+            let energy = distribution.energy(&roughness, masking, values.varies(ALPHA));
             Some(Compensation { energy, average })
         };
-        Ok(Box::new(Mixture(Rough {
-            normals,
-            shape,
-            facets,
+        Ok(kernel(Rough {
+            distribution,
+            roughness,
+            fresnel,
             masking,
             compensation,
-        })))
+        }))
     }
 }
 
@@ -275,27 +287,27 @@ fn is_mirror<T: Precision>(values: &Values<T>) -> bool {
     values.number(ALPHA) == T::new(0.0)
 }
 
-fn normals<T: Precision>(values: &Values<T>) -> Normalized<T> {
+fn distribution<T: Precision>(values: &Values<T>) -> Distribution<T> {
     let of = |param| f64::from(values.number(param).to_f32());
     match values.choice(DISTRIBUTION) {
-        GGX => Normalized::Ggx,
-        BECKMANN => Normalized::Beckmann,
-        BLINN_PHONG => Normalized::BlinnPhong(Box::new(BlinnPhong::new(of(ALPHA)))),
-        ABC => Normalized::Abc(Box::new(Abc::of(of(ALPHA), of(ABC_EXPONENT)))),
-        _ => Normalized::Sgd(Box::new(Sgd::of(of(ALPHA), of(SGD_P)))),
+        GGX => Distribution::Ggx,
+        BECKMANN => Distribution::Beckmann,
+        BLINN_PHONG => Distribution::Tabulated(Box::new(Tabulated::blinn_phong(of(ALPHA)))),
+        ABC => Distribution::Tabulated(Box::new(Tabulated::abc(of(ALPHA), of(ABC_EXPONENT)))),
+        _ => Distribution::Tabulated(Box::new(Tabulated::shifted_gamma(of(ALPHA), of(SGD_P)))),
     }
 }
 
-fn facets<T: Precision>(values: &Values<T>) -> Result<Facets<T>, Error> {
+fn fresnel<T: Precision>(values: &Values<T>) -> Result<CompiledFresnel<T>, Error> {
     let rgb = |param| T::rgb(values.rgb(param));
     Ok(match values.choice(FRESNEL) {
-        SCHLICK => Facets::Schlick {
+        SCHLICK => CompiledFresnel::Schlick {
             f0: rgb(F0),
             f90: rgb(F90),
         },
         DIELECTRIC => {
             let [r, g, b] = values.rgb(ETA);
-            Facets::Dielectric {
+            CompiledFresnel::Dielectric {
                 eta: rgb(ETA),
                 is_gray: r == g && r == b,
             }
@@ -303,18 +315,18 @@ fn facets<T: Precision>(values: &Values<T>) -> Result<Facets<T>, Error> {
         CONDUCTOR if values.choice(METAL) == CUSTOM => {
             let (eta, k) = (values.rgb(ETA), values.rgb(K));
             match ConductorPolynomial::new(eta, k) {
-                Some(polynomial) => Facets::Polynomial(polynomial),
-                None => Facets::Conductor {
+                Some(polynomial) => CompiledFresnel::Polynomial(polynomial),
+                None => CompiledFresnel::Conductor {
                     eta: T::rgb(eta),
                     k: T::rgb(k),
                 },
             }
         }
         CONDUCTOR => {
-            let name = METALS[values.choice(METAL)].to_str().unwrap_or_default();
-            Facets::of_metal(name)?
+            let name = METALS[values.choice(METAL)];
+            CompiledFresnel::of_metal(name)?
         }
-        _ => Facets::Film {
+        _ => CompiledFresnel::Film {
             film: Arc::clone(values.film().expect("validation refuses a lack of it")),
             thickness_nm: values.number(THICKNESS_NM),
         },
@@ -341,7 +353,7 @@ fn check(bounds: &Bounds) -> Result<(), Error> {
         let ParamKind::Choice { choices } = Microfacet::INFO.params[DISTRIBUTION].kind else {
             unreachable!("distribution is a choice")
         };
-        let name = choices[distribution].to_str().unwrap_or_default();
+        let name = choices[distribution];
         if least.varies(ALPHA) {
             return Err(Error::unsupported(format!(
                 "alpha cannot vary with distribution {name}, whose masking is a table made at creation; \

@@ -8,7 +8,7 @@ use crate::num::{Lane, Vec3};
 /// Pieces of the table; 2 KiB in single precision.
 const PIECES: usize = 128;
 
-/// The area averted from w, w.z Lambda(w), see [`Normals`](super::distribution::Normals).
+/// The area averted from w, w.z Lambda(w), see [`Ndf::cos_times_lambda`](super::ndf::Ndf::cos_times_lambda).
 ///
 /// With mu = cot theta and r = tan of a facet's angle, Heitz 2014, eq. 43, after the integral over
 /// azimuth, is sin theta times
@@ -54,7 +54,7 @@ impl<T: Lane<Scalar = T>> Projected<T> {
 
     /// For w.z >= 0.
     #[inline(always)]
-    pub(super) fn averted_area<L: Lane<Scalar = T>>(&self, w: Vec3<L>) -> L {
+    pub(super) fn cos_times_lambda<L: Lane<Scalar = T>>(&self, w: Vec3<L>) -> L {
         let most = L::splat(self.at_horizon) * (w.x.squared() + w.y.squared()).sqrt();
         let root = w.z.sqrt_positive();
         let x = root / (root + most.sqrt());
@@ -103,7 +103,7 @@ mod tests {
     fn worst(
         alpha: f64,
         density: impl Fn(Vec3<f64>) -> f64,
-        averted_area: impl Fn(f64, f64) -> f64,
+        cos_times_lambda: impl Fn(f64, f64) -> f64,
     ) -> [f64; 2] {
         let (double, single) = (
             Projected::<f64>::new(alpha, &density),
@@ -115,11 +115,11 @@ mod tests {
             let cotangent = alpha * 1e-6 * (1e10 / alpha).powf(f64::from(i) / 9999.0);
             let z = cotangent / (1.0 + cotangent * cotangent).sqrt();
             let x = 1.0 / (1.0 + cotangent * cotangent).sqrt();
-            let truth = z + averted_area(x, z);
+            let truth = z + cos_times_lambda(x, z);
             let w = Vec3::new(x as f32, 0.0, z as f32);
             let found = [
-                z + double.averted_area(Vec3::new(x, 0.0, z)),
-                z + f64::from(single.averted_area(w)),
+                z + double.cos_times_lambda(Vec3::new(x, 0.0, z)),
+                z + f64::from(single.cos_times_lambda(w)),
             ];
             for (worst, found) in errors.iter_mut().zip(found) {
                 *worst = f64::max(*worst, (found / truth - 1.0).abs());
@@ -167,9 +167,9 @@ mod tests {
     fn is_defined_at_both_ends() {
         let even = |_: Vec3<f64>| 1.0 / PI;
         let projected = Projected::<f32>::new(1.0, even);
-        assert_eq!(projected.averted_area(Vec3::new(0.0, 0.0, 1.0f32)), 0.0);
+        assert_eq!(projected.cos_times_lambda(Vec3::new(0.0, 0.0, 1.0f32)), 0.0);
         for z in [0.0, f32::MIN_POSITIVE, 1e-20] {
-            let area = projected.averted_area(Vec3::new(1.0, 0.0, z));
+            let area = projected.cos_times_lambda(Vec3::new(1.0, 0.0, z));
             assert!((area - 0.5).abs() < 1e-6, "{z}: {area}");
         }
     }

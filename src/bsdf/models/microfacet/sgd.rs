@@ -2,8 +2,7 @@
 //! measured reflectances using a Shifted Gamma micro-facet distribution", section 4): a tail of power p
 //! that an exponential ends.
 
-use super::slopes::{ln_cos_squared, matched_width, sin_squared, slope_density};
-use super::tabulated::{Profile, Tabulated, height};
+use super::slopes::{height, ln_cos_squared, matched_width, sin_squared, slope_density};
 use crate::num::{Lane, Vec3};
 
 /// In the paper's notation, with its width called a here and its power p,
@@ -29,28 +28,7 @@ use crate::num::{Lane, Vec3};
 /// half of them between 0.2 and 0.7 about a median of 0.44.
 ///
 /// The area beyond an angle is Gamma(1 - p, x) / Gamma(1 - p, a): normals are drawn by its table.
-pub(crate) type Sgd<T> = Tabulated<T, ShiftedGamma<T>>;
-
-impl<T: Lane<Scalar = T>> Sgd<T> {
-    /// With its tables.
-    pub(crate) fn of(alpha: f64, p: f64) -> Self {
-        let (height, a) = (height(alpha), width(alpha, p));
-        let exact = ShiftedGamma::new(height, a, p);
-        Self::new(alpha, ShiftedGamma::new(height, a, p), &exact)
-    }
-}
-
-/// a: at least alpha^2, which it is for p = 0, and 2.4 for alpha = 1 and p = 4.
-fn width(alpha: f64, p: f64) -> f64 {
-    let bounds = [2.0 * alpha.ln() - 0.5, 1.5];
-    let ln_a = matched_width(alpha, bounds, |ln_a, tan_squared| {
-        let lobe = ShiftedGamma::new(1.0, ln_a.exp(), p);
-        slope_density(|h| lobe.density(h), tan_squared)
-    });
-    ln_a.exp()
-}
-
-/// The function with its parameters.
+#[derive(Clone, Copy)]
 pub(crate) struct ShiftedGamma<T> {
     at_normal: T,
     inverse: T,
@@ -58,11 +36,26 @@ pub(crate) struct ShiftedGamma<T> {
     p: T,
 }
 
+/// a: at least alpha^2, which it is for p = 0, and 2.4 for alpha = 1 and p = 4.
+fn width(alpha: f64, p: f64) -> f64 {
+    let bounds = [2.0 * alpha.ln() - 0.5, 1.5];
+    let ln_a = matched_width(alpha, bounds, |ln_a, tan_squared| {
+        let lobe = ShiftedGamma::<f64>::of_numbers(1.0, ln_a.exp(), p);
+        slope_density(|h| lobe.density(h), tan_squared)
+    });
+    ln_a.exp()
+}
+
 /// The least cos^2 whose tangent is taken: below it the exponential is 0 for every a.
 const LEAST_COS_SQUARED: f64 = 1e-10;
 
-impl<T: Lane> ShiftedGamma<T> {
-    fn new(at_normal: f64, a: f64, p: f64) -> Self {
+impl<T: Lane<Scalar = T>> ShiftedGamma<T> {
+    /// Of alpha and the power p.
+    pub(crate) fn new(alpha: f64, p: f64) -> Self {
+        Self::of_numbers(height(alpha), width(alpha, p), p)
+    }
+
+    fn of_numbers(at_normal: f64, a: f64, p: f64) -> Self {
         let [at_normal, inverse, inverse_squared, p] =
             [at_normal, 1.0 / a, 1.0 / (a * a), p].map(T::new);
         Self {
@@ -72,12 +65,10 @@ impl<T: Lane> ShiftedGamma<T> {
             p,
         }
     }
-}
 
-impl<T: Lane<Scalar = T>> Profile<T> for ShiftedGamma<T> {
-    /// Divided by its value at the normal, e^(-x) x^(-p) is e^(-tan^2 / a) (1 + tan^2 / a^2)^(-p).
+    /// D(h), per steradian. Divided by its value at the normal, e^(-x) x^(-p) is e^(-tan^2 / a) (1 + tan^2 / a^2)^(-p).
     #[inline(always)]
-    fn density<L: Lane<Scalar = T>>(&self, h: Vec3<L>) -> L {
+    pub(super) fn density<L: Lane<Scalar = T>>(&self, h: Vec3<L>) -> L {
         let cos_squared = h.z.squared().max(L::new(LEAST_COS_SQUARED));
         let tan_squared = sin_squared(h) / cos_squared;
         let power = L::splat(self.p) * (tan_squared * L::splat(self.inverse_squared)).ln_1p();

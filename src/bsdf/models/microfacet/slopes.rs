@@ -4,7 +4,12 @@
 //! function of the squared slope t = tan^2 alone. Integrals run over ln t: whatever lies between the tip
 //! and the horizon, be it eight decades, has the same share of the nodes.
 
-use crate::num::{Real, Vec3};
+use crate::num::{PI, Real, Vec3};
+
+/// D at the normal, 1 / (pi alpha^2): what alpha means for every distribution.
+pub(super) fn height(alpha: f64) -> f64 {
+    1.0 / (PI * alpha * alpha)
+}
 
 /// The normal over +X with that squared slope.
 fn normal(tan_squared: f64) -> Vec3<f64> {

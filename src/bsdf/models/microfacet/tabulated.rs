@@ -1,59 +1,100 @@
-//! Distributions that are the same all around and have no closed form of masking: their normals by
-//! tables, made at creation for one alpha.
+//! Distributions that are isotropic and have no closed form of masking: tables made at creation, for one
+//! alpha.
 
-use super::distribution::Normals;
+use super::abc::Abc;
+use super::blinn_phong::BlinnPhong;
+use super::half_vector::HalfVector;
+use super::ndf::{GREATEST, Ndf};
 use super::projected::Projected;
 use super::quantile::Quantile;
-use crate::num::{Lane, PI, Vec3};
+use super::sgd::ShiftedGamma;
+use crate::num::{Lane, Vec3};
 
-/// The function D(h) of such a distribution, with its parameters set.
-pub(crate) trait Profile<T> {
-    /// D(h), per steradian; 0 for h.z <= 0.
-    fn density<L: Lane<Scalar = T>>(&self, h: Vec3<L>) -> L;
+/// The function D(h).
+#[derive(Clone, Copy)]
+pub(crate) enum Profile<T> {
+    BlinnPhong(BlinnPhong<T>),
+    Abc(Abc<T>),
+    ShiftedGamma(ShiftedGamma<T>),
 }
 
-/// Such a distribution whose sampling has no closed form either.
-pub(crate) struct Tabulated<T, P> {
-    profile: P,
+/// A distribution with its tables.
+pub(crate) struct Tabulated<T> {
+    profile: Profile<T>,
     projected: Projected<T>,
-    quantile: Quantile<T>,
+    /// `None` for the one that samples in closed form.
+    quantile: Option<Quantile<T>>,
 }
 
-impl<T: Lane<Scalar = T>, P: Profile<T>> Tabulated<T, P> {
-    /// `exact` is `profile` in double precision.
-    pub(super) fn new(alpha: f64, profile: P, exact: &impl Profile<f64>) -> Self {
+impl<T: Lane<Scalar = T>> Tabulated<T> {
+    /// Blinn's distribution.
+    pub(crate) fn blinn_phong(alpha: f64) -> Self {
+        let exact = BlinnPhong::<f64>::new(alpha);
         Self {
-            profile,
+            profile: Profile::BlinnPhong(BlinnPhong::new(alpha)),
             projected: Projected::new(alpha, |h| exact.density(h)),
-            quantile: Quantile::new(alpha, |h| exact.density(h)),
+            quantile: None,
+        }
+    }
+
+    /// The ABC distribution with its exponent C.
+    pub(crate) fn abc(alpha: f64, exponent: f64) -> Self {
+        let exact = Abc::<f64>::new(alpha, exponent);
+        Self {
+            profile: Profile::Abc(Abc::new(alpha, exponent)),
+            projected: Projected::new(alpha, |h| exact.density(h)),
+            quantile: Some(Quantile::new(alpha, |h| exact.density(h))),
+        }
+    }
+
+    /// The shifted gamma distribution with its power p.
+    pub(crate) fn shifted_gamma(alpha: f64, p: f64) -> Self {
+        let exact = ShiftedGamma::<f64>::new(alpha, p);
+        Self {
+            profile: Profile::ShiftedGamma(ShiftedGamma::new(alpha, p)),
+            projected: Projected::new(alpha, |h| exact.density(h)),
+            quantile: Some(Quantile::new(alpha, |h| exact.density(h))),
         }
     }
 }
 
-impl<T: Lane<Scalar = T>, L: Lane<Scalar = T>, P: Profile<T>> Normals<L> for &Tabulated<T, P> {
+impl<T: Lane<Scalar = T>> Profile<T> {
+    /// D(h), per steradian; 0 for h.z <= 0.
+    #[inline(always)]
+    fn density<L: Lane<Scalar = T>>(&self, h: Vec3<L>) -> L {
+        match self {
+            Self::BlinnPhong(profile) => profile.density(h),
+            Self::Abc(profile) => profile.density(h),
+            Self::ShiftedGamma(profile) => profile.density(h),
+        }
+    }
+}
+
+impl<T: Lane<Scalar = T>, L: Lane<Scalar = T>> Ndf<L> for &Tabulated<T> {
     #[inline(always)]
     fn density(&self, h: Vec3<L>) -> L {
         self.profile.density(h)
     }
 
     #[inline(always)]
-    fn averted_area(&self, w: Vec3<L>) -> L {
-        self.projected.averted_area(w)
+    fn cos_times_lambda(&self, w: Vec3<L>) -> L {
+        self.projected.cos_times_lambda(w)
     }
 
     #[inline(always)]
     fn sample(&self, _wo: Vec3<L>, u: [L; 2]) -> Vec3<L> {
-        self.quantile.sample(u)
+        match (&self.profile, &self.quantile) {
+            (Profile::BlinnPhong(profile), _) => profile.sample(u),
+            (_, Some(quantile)) => quantile.sample(u),
+            // No other pair is made.
+            _ => Vec3::zero(),
+        }
     }
 
-    /// D(h) h.z
+    /// That of samples, D(h) h.z, over 4 <wo, h>, whose inverse is held at [`GREATEST`].
     #[inline(always)]
-    fn sample_density(&self, _wo: Vec3<L>, h: Vec3<L>) -> L {
-        self.profile.density(h) * h.z
+    fn reflected_density(&self, pair: &HalfVector<L>, d: L) -> L {
+        let jacobian = (L::new(0.25) / pair.cos_half).min(L::new(GREATEST));
+        d * pair.h().z * jacobian
     }
-}
-
-/// D at the normal, 1 / (pi alpha^2): what alpha means for all of them.
-pub(super) fn height(alpha: f64) -> f64 {
-    1.0 / (PI * alpha * alpha)
 }

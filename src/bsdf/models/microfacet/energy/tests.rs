@@ -6,7 +6,7 @@ use super::*;
 
 /// GGX with height-correlated masking.
 fn ggx<T: Precision>(alpha: T, wo: Vec3<T>, u: [T; 2]) -> Reflected<T> {
-    Reflected::by_normals(&Ggx::isotropic(alpha), Masking::Smith, [alpha; 2], wo, u)
+    Reflected::by_ndf(&Ggx::isotropic(alpha), Masking::Smith, [alpha; 2], wo, u)
 }
 
 /// The same from the definitions, and by normals drawn from D h.z, not by visible ones: the mean of

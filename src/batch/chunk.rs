@@ -1,0 +1,216 @@
+//! Chunks of a batch: elements of strided arrays as columns, in place or in copies.
+
+use super::view::{ConstView, View};
+use crate::num::{Columns, ColumnsMut, Level};
+use std::mem::MaybeUninit;
+
+/// The most elements that are worked on at once: their numbers stay in the nearest cache.
+pub(super) const CHUNK: usize = 256;
+/// Columns have a multiple of this many numbers, which the width of every level divides.
+const LANES: usize = 16;
+/// Batches with fewer elements run at the width 1: to fill lanes would take longer.
+const FEWEST_FOR_LANES: usize = 8;
+
+/// Room for the copy of one component. It is not initialised before it is used.
+#[derive(Clone, Copy)]
+#[repr(C, align(64))]
+pub(super) struct Column<T: Copy>(MaybeUninit<[T; CHUNK]>);
+
+impl<T: Copy + Default> Column<T> {
+    pub const EMPTY: Self = Self(MaybeUninit::uninit());
+
+    /// The first `count` numbers, all 0.
+    fn zeros(&mut self, count: usize) -> &mut [T] {
+        assert!(count <= CHUNK, "{count} of {CHUNK}");
+        let first = self.0.as_mut_ptr().cast::<T>();
+        for i in 0..count {
+            // SAFETY: there is room for `CHUNK` numbers.
+            unsafe { first.add(i).write(T::default()) };
+        }
+        // SAFETY: they have just been written.
+        unsafe { std::slice::from_raw_parts_mut(first, count) }
+    }
+
+    /// The first `count` numbers.
+    ///
+    /// # Safety
+    /// They must have been written since [`Column::EMPTY`].
+    unsafe fn numbers(&self, count: usize) -> &[T] {
+        // SAFETY: the caller vouches for it.
+        unsafe { std::slice::from_raw_parts(self.0.as_ptr().cast::<T>(), count) }
+    }
+}
+
+/// Elements of a batch: `count` of them from `first` on.
+#[derive(Clone, Copy)]
+pub(super) struct Chunk {
+    pub first: usize,
+    pub count: usize,
+    /// Whether views may be used in place.
+    is_direct: bool,
+    lanes: usize,
+}
+
+/// The chunks of a batch.
+pub(super) struct Chunks {
+    count: usize,
+    is_direct: bool,
+    lanes: usize,
+    /// The level at which they run.
+    pub level: Level,
+}
+
+impl Chunks {
+    /// With `is_direct`, all chunks but the last have whole lanes, so that nothing is read or written beyond
+    /// the end.
+    pub fn new(count: usize, is_direct: bool, level: Level) -> Self {
+        let is_short = count < FEWEST_FOR_LANES;
+        Self {
+            count,
+            is_direct,
+            lanes: if is_short { 1 } else { LANES },
+            level: if is_short { Level::SCALAR } else { level },
+        }
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = Chunk> {
+        let Self {
+            count: all,
+            is_direct,
+            lanes,
+            ..
+        } = *self;
+        let mut first = 0;
+        std::iter::from_fn(move || {
+            let left = all - first;
+            let whole = left - left % lanes;
+            let count = if is_direct && whole > 0 {
+                whole.min(CHUNK)
+            } else {
+                left.min(CHUNK)
+            };
+            let chunk = Chunk {
+                first,
+                count,
+                is_direct: is_direct && count % lanes == 0,
+                lanes,
+            };
+            first += count;
+            (count > 0).then_some(chunk)
+        })
+    }
+}
+
+impl Chunk {
+    /// The length of its columns; numbers beyond `count` are 0.
+    pub fn padded(&self) -> usize {
+        self.count.next_multiple_of(self.lanes)
+    }
+
+    fn is_in_place<T: Copy>(&self, view: &View<T>, components: usize) -> bool {
+        self.is_direct && view.is_contiguous(components)
+    }
+
+    /// The three components of a view's elements.
+    ///
+    /// # Safety
+    /// All must be readable, and nothing may write to them while the columns live if [`is_apart`] said that
+    /// the chunks are direct.
+    pub unsafe fn columns<'a>(
+        &self,
+        view: &ConstView,
+        room: &'a mut [Column<f32>; 3],
+    ) -> Columns<'a, f32> {
+        // SAFETY: contiguous and aligned, or copies; the caller vouches for the rest.
+        unsafe {
+            if self.is_in_place(&view.as_view(), 3) {
+                return Columns::new(
+                    view.address(self.first, 0),
+                    view.column_stride(),
+                    self.count,
+                );
+            }
+            let mut numbers = room.each_mut().map(|column| column.zeros(self.padded()));
+            view.load(self.first, self.count, &mut numbers);
+            Columns::new(room.as_ptr().cast(), CHUNK as isize, self.padded())
+        }
+    }
+
+    /// Columns for the three components of a view's elements; [`Chunk::write`] writes them to the view.
+    ///
+    /// # Safety
+    /// All must be writable, and apart from all else if [`is_apart`] said so.
+    pub unsafe fn columns_mut<'a>(
+        &self,
+        view: &View,
+        room: &'a mut [Column<f32>; 3],
+    ) -> ColumnsMut<'a, f32> {
+        // SAFETY: contiguous and aligned, or copies; the caller vouches for the rest.
+        unsafe {
+            if self.is_in_place(view, 3) {
+                let start = view.address(self.first, 0);
+                return ColumnsMut::new(start, view.column_stride(), self.count);
+            }
+            for column in room.iter_mut() {
+                column.zeros(self.padded());
+            }
+            ColumnsMut::new(room.as_mut_ptr().cast(), CHUNK as isize, self.padded())
+        }
+    }
+
+    /// The numbers of a view with one component.
+    ///
+    /// # Safety
+    /// As for [`Chunk::columns`].
+    pub unsafe fn read<'a>(&self, view: &ConstView, room: &'a mut Column<f32>) -> &'a [f32] {
+        // SAFETY: as in `columns`.
+        unsafe {
+            if self.is_in_place(&view.as_view(), 1) {
+                return std::slice::from_raw_parts(view.address(self.first, 0), self.count);
+            }
+            let numbers = room.zeros(self.padded());
+            view.load(self.first, self.count, &mut [&mut *numbers]);
+            numbers
+        }
+    }
+
+    /// Slices for a view's components; [`Chunk::write`] writes them to the view.
+    ///
+    /// # Safety
+    /// As for [`Chunk::columns_mut`].
+    pub unsafe fn targets<'a, T: Copy + Default, const N: usize>(
+        &self,
+        view: &View<T>,
+        room: &'a mut [Column<T>; N],
+    ) -> [&'a mut [T]; N] {
+        if self.is_in_place(view, N) {
+            // SAFETY: contiguous and aligned; the caller vouches for the rest.
+            return std::array::from_fn(|c| unsafe {
+                std::slice::from_raw_parts_mut(view.address(self.first, c), self.count)
+            });
+        }
+        room.each_mut().map(|column| column.zeros(self.padded()))
+    }
+
+    /// Writes to the view what lies in copies.
+    ///
+    /// # Safety
+    /// All must be writable, and the room must have been prepared by [`Chunk::columns_mut`] or
+    /// [`Chunk::targets`].
+    pub unsafe fn write<T: Copy + Default, const N: usize>(
+        &self,
+        view: &View<T>,
+        room: &[Column<T>; N],
+    ) {
+        if view.data.is_null() || self.is_in_place(view, N) {
+            return;
+        }
+        // SAFETY: the caller vouches for it; the room was set to 0 at first.
+        unsafe {
+            view.store(
+                self.first,
+                room.each_ref().map(|column| column.numbers(self.count)),
+            )
+        }
+    }
+}

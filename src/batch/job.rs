@@ -1,0 +1,249 @@
+//! Evaluation and sampling of a BSDF for the elements of strided arrays.
+
+use super::chunk::{Chunks, Column};
+use super::varying::{MAX_FLOATS, VaryingViews, with_room};
+use super::view::{ConstView, Span, View, is_apart};
+use crate::bsdf::{Bsdf, Call, EvalJob, SampleJob};
+use crate::error::Error;
+use crate::num::Level;
+
+/// Arguments of [`eval`].
+#[derive(Clone, Copy, Debug)]
+pub struct EvalArgs<'a> {
+    /// The number of elements.
+    pub count: usize,
+    /// Options for all elements.
+    pub call: Call,
+    /// Directions to the viewer.
+    pub wo: ConstView,
+    /// Directions to the light.
+    pub wi: ConstView,
+    /// One view per varying parameter, or none at all; null data = the parameter's own value.
+    pub varying: &'a [ConstView],
+    /// Receives f |wi.z|.
+    pub value: View,
+    /// Receives the density of wi from wo.
+    pub pdf: View,
+    /// Receives the density of wo from wi.
+    pub pdf_reverse: View,
+}
+
+/// Arguments of [`sample`].
+#[derive(Clone, Copy, Debug)]
+pub struct SampleArgs<'a> {
+    /// The number of elements.
+    pub count: usize,
+    /// Options for all elements.
+    pub call: Call,
+    /// Directions to the viewer.
+    pub wo: ConstView,
+    /// Uniform numbers in [0, 1).
+    pub u: ConstView,
+    /// As in [`EvalArgs`].
+    pub varying: &'a [ConstView],
+    /// Receives the directions to the light.
+    pub wi: View,
+    /// Receives the density.
+    pub pdf: View,
+    /// Receives value / pdf.
+    pub weight: View,
+    /// Receives the ratio of indices.
+    pub eta: View,
+    /// Receives the chosen lobe's flags.
+    pub flags: View<u32>,
+    /// Receives the chosen lobe's number.
+    pub lobe: View<u32>,
+    /// Receives the probability with which the lobe was chosen.
+    pub lobe_probability: View,
+}
+
+/// Value and densities of every element, with the bits of single calls at every level.
+///
+/// # Errors
+/// `InvalidArgument`, before anything is read or written, if a needed view is null, no output is
+/// wanted, the number of varying views is wrong, or an offset overflows the address space.
+///
+/// # Safety
+/// Every address that the views stand for must be readable, or writable. An output may coincide
+/// with an input element for element (same address and stride), not otherwise overlap one.
+pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Error> {
+    let count = args.count;
+    let scalars = [args.pdf, args.pdf_reverse];
+    if args.value.data.is_null() && scalars.iter().all(|view| view.data.is_null()) {
+        return Err(Error::invalid(
+            "value, pdf and pdf_reverse are all NULL: nothing to compute",
+        ));
+    }
+    args.wo.check("wo", 3, count)?;
+    args.wi.check("wi", 3, count)?;
+    args.value.check("value", 3, count)?;
+    args.pdf.check("pdf", 1, count)?;
+    args.pdf_reverse.check("pdf_reverse", 1, count)?;
+    let varying = VaryingViews::new(bsdf, args.varying, count)?;
+    let inputs = [args.wo.span(3, count), args.wi.span(3, count)];
+    let outputs = [
+        args.value.target(3, count),
+        args.pdf.target(1, count),
+        args.pdf_reverse.target(1, count),
+    ];
+    let is_direct = are_apart(&inputs, &varying, &outputs, count);
+    let chunks = Chunks::new(count, is_direct, level);
+    let lobes = bsdf.wanted_lobes(&args.call);
+    let (mut wo, mut wi) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
+    let mut value = [Column::EMPTY; 3];
+    let (mut pdf, mut pdf_reverse) = ([Column::EMPTY], [Column::EMPTY]);
+    with_room(varying.floats(), |numbers| {
+        for chunk in chunks.iter() {
+            // SAFETY: the caller vouches for every address of every view; what is used in place is apart
+            // from all else.
+            unsafe {
+                let mut slices = [&[][..]; MAX_FLOATS];
+                let (wo, wi) = (
+                    chunk.columns(&args.wo, &mut wo),
+                    chunk.columns(&args.wi, &mut wi),
+                );
+                let varying = bsdf.varying_columns(varying.read(&chunk, numbers, &mut slices));
+                if !args.pdf_reverse.data.is_null() {
+                    let [density] = chunk.targets(&args.pdf_reverse, &mut pdf_reverse);
+                    let mut job = EvalJob {
+                        wo: wi,
+                        wi: wo,
+                        varying,
+                        lobes,
+                        value: None,
+                        pdf: Some(density),
+                    };
+                    bsdf.eval_job(chunks.level, &mut job);
+                }
+                let is_value_wanted = !args.value.data.is_null();
+                let is_pdf_wanted = !args.pdf.data.is_null();
+                let [density] = chunk.targets(&args.pdf, &mut pdf);
+                let mut job = EvalJob {
+                    wo,
+                    wi,
+                    varying,
+                    lobes,
+                    value: is_value_wanted.then(|| chunk.columns_mut(&args.value, &mut value)),
+                    pdf: is_pdf_wanted.then_some(density),
+                };
+                if is_value_wanted || is_pdf_wanted {
+                    bsdf.eval_job(chunks.level, &mut job);
+                }
+                chunk.write(&args.value, &value);
+                chunk.write(&args.pdf, &pdf);
+                chunk.write(&args.pdf_reverse, &pdf_reverse);
+            }
+        }
+    });
+    Ok(())
+}
+
+/// A sampled direction for every element, with the bits of single calls at every level.
+///
+/// # Errors
+/// As [`eval`].
+///
+/// # Safety
+/// As [`eval`].
+pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(), Error> {
+    let count = args.count;
+    let floats = [
+        args.wi,
+        args.pdf,
+        args.weight,
+        args.eta,
+        args.lobe_probability,
+    ];
+    let is_wanted = floats.iter().any(|view| !view.data.is_null())
+        || [args.flags, args.lobe]
+            .iter()
+            .any(|view| !view.data.is_null());
+    if !is_wanted {
+        return Err(Error::invalid("every output is NULL: nothing to compute"));
+    }
+    args.wo.check("wo", 3, count)?;
+    args.u.check("u", 3, count)?;
+    args.wi.check("wi", 3, count)?;
+    args.pdf.check("pdf", 1, count)?;
+    args.weight.check("weight", 3, count)?;
+    args.eta.check("eta", 1, count)?;
+    args.flags.check("flags", 1, count)?;
+    args.lobe.check("lobe", 1, count)?;
+    args.lobe_probability.check("lobe_probability", 1, count)?;
+    let varying = VaryingViews::new(bsdf, args.varying, count)?;
+    let inputs = [args.wo.span(3, count), args.u.span(3, count)];
+    let outputs = [
+        args.wi.target(3, count),
+        args.pdf.target(1, count),
+        args.weight.target(3, count),
+        args.eta.target(1, count),
+        args.flags.target(1, count),
+        args.lobe.target(1, count),
+        args.lobe_probability.target(1, count),
+    ];
+    let is_direct = are_apart(&inputs, &varying, &outputs, count);
+    let chunks = Chunks::new(count, is_direct, level);
+    let lobes = bsdf.wanted_lobes(&args.call);
+    let (mut wo, mut u) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
+    let (mut wi, mut weight) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
+    let [mut pdf, mut eta, mut lobe, mut probability] = [[Column::EMPTY]; 4];
+    let [mut flags, mut numbers_of_lobes] = [[Column::EMPTY]; 2];
+    let not_a_view = View {
+        data: std::ptr::null_mut(),
+        element_stride: 0,
+        component_stride: 0,
+    };
+    with_room(varying.floats(), |numbers| {
+        for chunk in chunks.iter() {
+            // SAFETY: as in `eval`.
+            unsafe {
+                let mut slices = [&[][..]; MAX_FLOATS];
+                let [pdf_slice] = chunk.targets(&args.pdf, &mut pdf);
+                let [eta_slice] = chunk.targets(&args.eta, &mut eta);
+                let [lobe_slice] = chunk.targets(&not_a_view, &mut lobe);
+                let [probability_slice] = chunk.targets(&args.lobe_probability, &mut probability);
+                let mut job = SampleJob {
+                    wo: chunk.columns(&args.wo, &mut wo),
+                    u: chunk.columns(&args.u, &mut u),
+                    varying: bsdf.varying_columns(varying.read(&chunk, numbers, &mut slices)),
+                    lobes,
+                    transport: args.call.transport,
+                    wi: chunk.columns_mut(&args.wi, &mut wi),
+                    weight: chunk.columns_mut(&args.weight, &mut weight),
+                    pdf: pdf_slice,
+                    eta: eta_slice,
+                    lobe: lobe_slice,
+                    lobe_probability: probability_slice,
+                };
+                bsdf.sample_job(chunks.level, &mut job);
+                if !(args.flags.data.is_null() && args.lobe.data.is_null()) {
+                    let [flags_slice] = chunk.targets(&args.flags, &mut flags);
+                    let [number_slice] = chunk.targets(&args.lobe, &mut numbers_of_lobes);
+                    let found = job.lobe.iter().zip(job.lobe_probability.iter());
+                    for (i, (lobe, probability)) in found.enumerate() {
+                        number_slice[i] = *lobe as u32;
+                        flags_slice[i] = bsdf.sampled_flags(*lobe as usize, *probability > 0.0).0;
+                    }
+                    chunk.write(&args.flags, &flags);
+                    chunk.write(&args.lobe, &numbers_of_lobes);
+                }
+                chunk.write(&args.wi, &wi);
+                chunk.write(&args.weight, &weight);
+                chunk.write(&args.pdf, &pdf);
+                chunk.write(&args.eta, &eta);
+                chunk.write(&args.lobe_probability, &probability);
+            }
+        }
+    });
+    Ok(())
+}
+
+/// Whether every output that can be written in place is apart from all other views.
+fn are_apart(
+    inputs: &[Span],
+    varying: &VaryingViews,
+    outputs: &[(Span, bool)],
+    count: usize,
+) -> bool {
+    is_apart(inputs, outputs) && varying.spans(count).all(|span| is_apart(&[span], outputs))
+}

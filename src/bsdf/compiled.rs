@@ -1,0 +1,224 @@
+//! The kernel of a model all of whose lobes reflect and have a density.
+
+use super::call::Transport;
+use super::job::{Direction, EvalJob, SampleJob, choices, eval_pdf, sample, with_overrides};
+use super::kernel::{Kernel, sample_each};
+use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
+use super::precision::Precision;
+use super::quadrature;
+use super::surface::Surface;
+use super::varying::VaryingValues;
+use crate::num::{Lane, Level, Rgb, Vec3, Work};
+
+/// A compiled model all of whose lobes reflect and have a density: its numbers and tables, from which a
+/// [`Surface`] is made for each job.
+pub trait Compiled<T: Precision>: Send + Sync + 'static {
+    /// The surface that is evaluated.
+    type Surface<'a, L: Lane<Scalar = T>>: Surface<L>;
+
+    /// The surface with the description's values; [`Surface::finish_vary`] is still to be called.
+    fn surface<L: Lane<Scalar = T>>(&self) -> Self::Surface<'_, L>;
+
+    /// See [`Kernel::plan`].
+    fn plan(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    /// Runs an evaluation. A model may run a surface whose type is specialised for the most frequent case;
+    /// each such copy takes its time to compile.
+    #[inline(always)]
+    fn evaluate<L: Lane<Scalar = T>>(&self, job: &mut EvalJob<T>) {
+        job.run(self.surface::<L>());
+    }
+}
+
+struct Evaluate<'a, 'b, 'c, C, T> {
+    compiled: &'a C,
+    job: &'b mut EvalJob<'c, T>,
+}
+
+impl<T: Precision, C: Compiled<T>> Work<T> for Evaluate<'_, '_, '_, C, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lane<Scalar = T>>(self) {
+        self.compiled.evaluate::<L>(self.job);
+    }
+}
+
+struct Draw<'a, 'b, 'c, C, T> {
+    compiled: &'a C,
+    job: &'b mut SampleJob<'c, T>,
+}
+
+impl<T: Precision, C: Compiled<T>> Work<T> for Draw<'_, '_, '_, C, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lane<Scalar = T>>(self) {
+        self.job.run(self.compiled.surface::<L>());
+    }
+}
+
+/// The kernel of a compiled model.
+pub fn kernel<T: Precision>(compiled: impl Compiled<T>) -> Box<dyn Kernel<T>> {
+    Box::new(LobeKernel(compiled))
+}
+
+struct LobeKernel<C>(C);
+
+impl<C> LobeKernel<C> {
+    /// Calls `f` with the surface for a call that sets parameters or leaves lobes out; `None` if a value is
+    /// unusable. Kept out of the calls that do neither, which need no surface in memory.
+    #[inline(never)]
+    fn with_varied<T: Precision, R>(
+        &self,
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+        f: impl FnOnce(&C::Surface<'_, T>) -> R,
+    ) -> Option<R>
+    where
+        C: Compiled<T>,
+    {
+        with_overrides(
+            varying,
+            #[inline(always)]
+            |overrides| {
+                let mut surface = self.0.surface::<T>();
+                if !lobes.is_all() {
+                    surface.retain(lobes);
+                }
+                for (param, value) in overrides {
+                    surface.vary(*param, *value);
+                }
+                surface.finish_vary();
+                f(&surface)
+            },
+        )
+    }
+
+    /// The surface with the description's values.
+    #[inline(always)]
+    fn settled<T: Precision>(&self) -> C::Surface<'_, T>
+    where
+        C: Compiled<T>,
+    {
+        let mut surface = self.0.surface::<T>();
+        surface.finish_vary();
+        surface
+    }
+}
+
+#[inline(always)]
+fn is_plain<T: Precision>(varying: &VaryingValues<T>, lobes: LobeSet) -> bool {
+    varying.is_empty() && lobes.is_all()
+}
+
+impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
+    fn eval(&self, wo: Vec3<T>, wi: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T> {
+        if is_plain(varying, lobes) {
+            return self.settled::<T>().eval(wo, wi);
+        }
+        self.with_varied(
+            varying,
+            lobes,
+            #[inline(always)]
+            |surface| surface.eval(wo, wi),
+        )
+        .unwrap_or([T::new(0.0); 3])
+    }
+
+    fn eval_pdf(
+        &self,
+        wo: Vec3<T>,
+        wi: Vec3<T>,
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+    ) -> (Rgb<T>, T) {
+        if is_plain(varying, lobes) {
+            return eval_pdf(&self.settled::<T>(), lobes, wo, wi);
+        }
+        self.with_varied(
+            varying,
+            lobes,
+            #[inline(always)]
+            |surface| eval_pdf(surface, lobes, wo, wi),
+        )
+        .unwrap_or(([T::new(0.0); 3], T::new(0.0)))
+    }
+
+    fn sample(
+        &self,
+        wo: Vec3<T>,
+        u: [T; 3],
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+        _transport: Transport,
+    ) -> Direction<T> {
+        if is_plain(varying, lobes) {
+            return sample(&self.settled::<T>(), lobes, true, wo, u);
+        }
+        self.with_varied(
+            varying,
+            lobes,
+            #[inline(always)]
+            |surface| sample(surface, lobes, true, wo, u),
+        )
+        .unwrap_or(Direction::none())
+    }
+
+    fn eval_job(&self, level: Level, job: &mut EvalJob<T>) {
+        if level.is_scalar() {
+            let (varying, lobes) = (job.varying, job.lobes);
+            return job.run_each(|element, wo, wi| {
+                self.eval_pdf(wo, wi, &varying.element(element), lobes)
+            });
+        }
+        T::dispatch(
+            level,
+            Evaluate {
+                compiled: &self.0,
+                job,
+            },
+        );
+    }
+
+    fn sample_job(&self, level: Level, job: &mut SampleJob<T>) {
+        if level.is_scalar() {
+            return sample_each(self, job);
+        }
+        T::dispatch(
+            level,
+            Draw {
+                compiled: &self.0,
+                job,
+            },
+        );
+    }
+
+    fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T> {
+        self.with_varied(varying, lobes, |surface| {
+            let closed = surface.closed_albedo();
+            closed.unwrap_or_else(|| quadrature::albedo(surface, lobes, wo))
+        })
+        .unwrap_or([T::new(0.0); 3])
+    }
+
+    fn lobes(
+        &self,
+        wo: Vec3<T>,
+        wi: Vec3<T>,
+        varying: &VaryingValues<T>,
+    ) -> (PerLobe<T>, PerLobe<T>) {
+        let none = [T::new(0.0); MAX_LOBES];
+        self.with_varied(varying, LobeSet::ALL, |surface| {
+            let (_, densities) = quadrature::eval_outlined(surface, wo, wi);
+            (choices(surface, wo, LobeSet::ALL), densities)
+        })
+        .unwrap_or((none, none))
+    }
+
+    fn plan(&self) -> Vec<&'static str> {
+        self.0.plan()
+    }
+}

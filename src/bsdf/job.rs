@@ -1,0 +1,368 @@
+//! What a kernel does with a surface: for one element, and in jobs for many.
+//!
+//! What is done with an element ([`eval_pdf`], [`sample`], [`vary`]) is written once, generic over the lane
+//! type: a single call does it at the width 1, and a job's loop at the processor's width.
+
+use super::call::Transport;
+use super::lobes::{LobeSet, MAX_LOBES, PerLobe, mixture_density, normalized};
+use super::surface::Surface;
+use super::varying::{MAX_VARYING, VaryingValues};
+use crate::num::{Columns, ColumnsMut, Lane, Mask, Real, Rgb, Vec3, each};
+
+/// Values, densities or both of many elements.
+pub struct EvalJob<'a, T> {
+    /// Directions to the viewer; any numbers.
+    pub wo: Columns<'a, T>,
+    /// Directions to the light; any numbers.
+    pub wi: Columns<'a, T>,
+    /// Values of the parameters that vary.
+    pub varying: VaryingValues<'a, T>,
+    /// The lobes that take part.
+    pub lobes: LobeSet,
+    /// Receives f |wi.z|, if it is wanted; 0 for directions that are invalid or not above the surface.
+    pub value: Option<ColumnsMut<'a, T>>,
+    /// Receives the density of wi, if it is wanted.
+    pub pdf: Option<&'a mut [T]>,
+}
+
+/// Sampled directions of many elements. Without a valid sample every output is 0.
+pub struct SampleJob<'a, T> {
+    /// Directions to the viewer; any numbers.
+    pub wo: Columns<'a, T>,
+    /// Uniform numbers in [0, 1); the first chooses the lobe.
+    pub u: Columns<'a, T>,
+    /// Values of the parameters that vary.
+    pub varying: VaryingValues<'a, T>,
+    /// The lobes that take part.
+    pub lobes: LobeSet,
+    /// What travels along the path.
+    pub transport: Transport,
+    /// Receives the directions to the light.
+    pub wi: ColumnsMut<'a, T>,
+    /// Receives value / pdf; for a Dirac lobe its throughput over the probability of choosing it.
+    pub weight: ColumnsMut<'a, T>,
+    /// Receives the density of wi over all lobes; 0 for a Dirac lobe.
+    pub pdf: &'a mut [T],
+    /// Receives the index on wi's side over the index on wo's side.
+    pub eta: &'a mut [T],
+    /// Receives the number of the chosen lobe.
+    pub lobe: &'a mut [T],
+    /// Receives the probability with which the lobe was chosen; 0 tells that there is no sample.
+    pub lobe_probability: &'a mut [T],
+}
+
+/// A sampled direction, or one in each lane; all 0 where there is none.
+#[derive(Clone, Copy, Debug)]
+pub struct Direction<L> {
+    /// To the light.
+    pub wi: Vec3<L>,
+    /// Density over all lobes; 0 for a Dirac lobe.
+    pub pdf: L,
+    /// value / pdf; for a Dirac lobe its throughput over the probability of choosing it.
+    pub weight: Rgb<L>,
+    /// Index on wi's side over the index on wo's side.
+    pub eta: L,
+    /// Number of the chosen lobe.
+    pub lobe: L,
+    /// The probability of choosing it.
+    pub lobe_probability: L,
+}
+
+/// Whether the direction is unit to 1e-3 and above the surface. NaN and infinity are not.
+#[inline(always)]
+pub fn is_above<T: Real>(w: Vec3<T>) -> T::Mask {
+    is_unit(w) & w.z.gt(T::new(0.0))
+}
+
+/// Whether the direction is unit to 1e-3: twice that, since the length is squared.
+#[inline(always)]
+pub fn is_unit<T: Real>(w: Vec3<T>) -> T::Mask {
+    (w.length_squared() - T::new(1.0)).abs().le(T::new(2e-3))
+}
+
+/// Whether all numbers are in [0, 1).
+#[inline(always)]
+pub fn are_uniform<T: Real>(u: [T; 3]) -> T::Mask {
+    let is_uniform = |u: T| u.ge(T::new(0.0)) & u.lt(T::new(1.0));
+    is_uniform(u[0]) & is_uniform(u[1]) & is_uniform(u[2])
+}
+
+impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
+    /// Does the job with a surface that has the description's values.
+    #[inline(always)]
+    pub fn run<L: Lane<Scalar = T>, S: Surface<L>>(&mut self, mut surface: S) {
+        if !self.lobes.is_all() {
+            surface.retain(self.lobes);
+        }
+        surface.finish_vary();
+        // Copies: what lies behind `self` would be read again after each result is written.
+        let (wo, wi, varying, lobes) = (self.wo, self.wi, self.varying, self.lobes);
+        let (mut values, mut pdf) = (self.value.take(), self.pdf.take());
+        // The most frequent case has a loop of its own, in which nothing depends on the element but the
+        // directions: the compiler moves out of it what follows from the parameters. These are plain loops,
+        // as closures given to the standard library are compiled without the level's instructions.
+        if pdf.is_none() && varying.is_empty() {
+            let Some(values) = &mut values else { return };
+            for from in (0..wo.count()).step_by(L::COUNT) {
+                let (wo, wi, is_seen) = directions::<L>(&wo, &wi, from);
+                store_value(values, from, is_seen, surface.eval(wo, wi));
+            }
+            return;
+        }
+        let mut is_usable = L::new(0.0).equals(L::new(0.0));
+        for from in (0..wo.count()).step_by(L::COUNT) {
+            if !varying.is_empty() {
+                is_usable = vary(&mut surface, &varying, from);
+            }
+            let (wo, wi, is_seen) = directions::<L>(&wo, &wi, from);
+            let is_seen = is_seen & is_usable;
+            let (value, densities) = surface.eval_with_densities(wo, wi);
+            if let Some(values) = &mut values {
+                store_value(values, from, is_seen, value);
+            }
+            if let Some(pdf) = &mut pdf {
+                let density = mixture_density(&choices(&surface, wo, lobes), &densities);
+                let density = L::select(is_seen, density, L::new(0.0));
+                density.store(&mut pdf[from..from + L::COUNT]);
+            }
+        }
+    }
+
+    /// Does the job element by element. `eval_pdf` returns value and density for directions above the surface.
+    pub fn run_each(&mut self, mut eval_pdf: impl FnMut(usize, Vec3<T>, Vec3<T>) -> (Rgb<T>, T)) {
+        for element in 0..self.wo.count() {
+            let (wo, wi, is_seen) = directions::<T>(&self.wo, &self.wi, element);
+            let (value, density) = eval_pdf(element, wo, wi);
+            if let Some(values) = &mut self.value {
+                store_value(values, element, is_seen, value);
+            }
+            if let Some(pdf) = &mut self.pdf {
+                pdf[element] = T::select(is_seen, density, T::new(0.0));
+            }
+        }
+    }
+
+    /// Writes zeros: no lobe has a density.
+    pub fn clear(&mut self) {
+        self.run_each(|_, _, _| ([T::new(0.0); 3], T::new(0.0)));
+    }
+}
+
+/// wo, wi, and whether both are above the surface.
+#[inline(always)]
+fn directions<L: Lane>(
+    wo: &Columns<L::Scalar>,
+    wi: &Columns<L::Scalar>,
+    from: usize,
+) -> (Vec3<L>, Vec3<L>, L::Mask) {
+    let wo = Vec3::from_array(wo.load::<L>(from));
+    let wi = Vec3::from_array(wi.load::<L>(from));
+    (wo, wi, is_above(wo) & is_above(wi))
+}
+
+#[inline(always)]
+fn store_value<L: Lane>(
+    values: &mut ColumnsMut<L::Scalar>,
+    from: usize,
+    is_seen: L::Mask,
+    value: Rgb<L>,
+) {
+    let zero = L::new(0.0);
+    values.store(
+        from,
+        each!(value, |channel| L::select(is_seen, channel, zero)),
+    );
+}
+
+impl<T: Lane<Scalar = T>> SampleJob<'_, T> {
+    /// Does the job with a surface that has the description's values.
+    #[inline(always)]
+    pub fn run<L: Lane<Scalar = T>, S: Surface<L>>(&mut self, mut surface: S) {
+        if !self.lobes.is_all() {
+            surface.retain(self.lobes);
+        }
+        surface.finish_vary();
+        // Copies, as in `EvalJob::run`.
+        let (wo, u, varying, lobes) = (self.wo, self.u, self.varying, self.lobes);
+        let mut is_usable = L::new(0.0).equals(L::new(0.0));
+        for from in (0..wo.count()).step_by(L::COUNT) {
+            if !varying.is_empty() {
+                is_usable = vary(&mut surface, &varying, from);
+            }
+            let wo = Vec3::from_array(wo.load::<L>(from));
+            let u = u.load::<L>(from);
+            let is_usable = is_usable & is_above(wo) & are_uniform(u);
+            self.store(from, sample(&surface, lobes, is_usable, wo, u));
+        }
+    }
+
+    /// Does the job element by element.
+    pub fn run_each(&mut self, mut draw: impl FnMut(usize, Vec3<T>, [T; 3]) -> Direction<T>) {
+        for element in 0..self.wo.count() {
+            let wo = Vec3::from_array(self.wo.load::<T>(element));
+            let u = self.u.load::<T>(element);
+            self.store(element, draw(element, wo, u));
+        }
+    }
+
+    #[inline(always)]
+    fn store<L: Lane<Scalar = T>>(&mut self, from: usize, direction: Direction<L>) {
+        let to = from + L::COUNT;
+        self.wi.store(from, direction.wi.to_array());
+        self.weight.store(from, direction.weight);
+        direction.pdf.store(&mut self.pdf[from..to]);
+        direction.eta.store(&mut self.eta[from..to]);
+        direction.lobe.store(&mut self.lobe[from..to]);
+        let probability = direction.lobe_probability;
+        probability.store(&mut self.lobe_probability[from..to]);
+    }
+}
+
+impl<L: Lane> Direction<L> {
+    /// No direction.
+    #[inline(always)]
+    pub fn none() -> Self {
+        let zero = L::new(0.0);
+        Self {
+            wi: Vec3::zero(),
+            pdf: zero,
+            weight: [zero; 3],
+            eta: zero,
+            lobe: zero,
+            lobe_probability: zero,
+        }
+    }
+}
+
+/// Calls `f` with the varying values of a single call as pairs of parameter index and value; `None` if one
+/// is unusable.
+#[inline(always)]
+pub fn with_overrides<T: Lane<Scalar = T, Mask = bool>, R>(
+    varying: &VaryingValues<T>,
+    f: impl FnOnce(&[(usize, [T; 3])]) -> R,
+) -> Option<R> {
+    let mut overrides = [(0, [T::new(0.0); 3]); MAX_VARYING];
+    let mut count = 0;
+    let is_usable = varying.clamp_inputs::<T>(0, |param, value| {
+        overrides[count] = (param, value);
+        count += 1;
+    });
+    is_usable.then(|| f(&overrides[..count]))
+}
+
+/// Gives the surface the values of the elements from one on. Returns which are usable.
+#[inline(always)]
+pub fn vary<L: Lane, S: Surface<L>>(
+    surface: &mut S,
+    varying: &VaryingValues<L::Scalar>,
+    from: usize,
+) -> L::Mask {
+    let is_usable = varying.clamp_inputs::<L>(
+        from,
+        #[inline(always)]
+        |param, value| surface.vary(param, value),
+    );
+    surface.finish_vary();
+    is_usable
+}
+
+/// The probability of each lobe among those that take part.
+#[inline(always)]
+pub fn choices<L: Lane, S: Surface<L>>(surface: &S, wo: Vec3<L>, lobes: LobeSet) -> PerLobe<L> {
+    let mut shares = surface.choose(wo);
+    if lobes.is_all() {
+        return shares;
+    }
+    for (lobe, share) in shares.iter_mut().enumerate() {
+        if !lobes.contains(lobe) {
+            *share = L::new(0.0);
+        }
+    }
+    normalized(shares)
+}
+
+/// Value, and the density of all lobes together.
+#[inline(always)]
+pub fn eval_pdf<L: Lane, S: Surface<L>>(
+    surface: &S,
+    lobes: LobeSet,
+    wo: Vec3<L>,
+    wi: Vec3<L>,
+) -> (Rgb<L>, L) {
+    let (value, densities) = surface.eval_with_densities(wo, wi);
+    (
+        value,
+        mixture_density(&choices(surface, wo, lobes), &densities),
+    )
+}
+
+/// A direction of a lobe chosen by the first number, where the inputs are usable.
+#[inline(always)]
+pub fn sample<L: Lane, S: Surface<L>>(
+    surface: &S,
+    lobes: LobeSet,
+    is_usable: L::Mask,
+    wo: Vec3<L>,
+    u: [L; 3],
+) -> Direction<L> {
+    let (zero, one) = (L::new(0.0), L::new(1.0));
+    let shares = choices(surface, wo, lobes);
+    let (mut wi, mut number, mut probability) = (Vec3::zero(), zero, zero);
+    let chosen = chosen_lobe(&shares, u[0]);
+    if L::COUNT == 1 {
+        if let Some(lobe) = only(&chosen) {
+            wi = surface.sample(lobe, wo, [u[1], u[2]]);
+            (number, probability) = (L::new(lobe as f64), shares[lobe]);
+        }
+    } else {
+        for (lobe, is_chosen) in chosen.into_iter().enumerate() {
+            if is_chosen.any() {
+                let direction = surface.sample(lobe, wo, [u[1], u[2]]);
+                wi = Vec3::select(is_chosen, direction, wi);
+                number = L::select(is_chosen, L::new(lobe as f64), number);
+                probability = L::select(is_chosen, shares[lobe], probability);
+            }
+        }
+    }
+    let is_above = wi.z.gt(zero);
+    // Lanes without a direction evaluate wo itself, which is valid, and are cleared below.
+    wi = Vec3::select(is_above, wi, wo);
+    let (value, densities) = surface.eval_with_densities(wo, wi);
+    let pdf = mixture_density(&shares, &densities);
+    let is_found = is_usable & is_above & pdf.gt(zero) & pdf.is_finite();
+    let [x, y, z] = each!(wi.to_array(), |number| L::select(is_found, number, zero));
+    Direction {
+        wi: Vec3::new(x, y, z),
+        pdf: L::select(is_found, pdf, zero),
+        weight: each!(value, |value| L::select(is_found, value / pdf, zero)),
+        eta: L::select(is_found, one, zero),
+        lobe: L::select(is_found, number, zero),
+        lobe_probability: L::select(is_found, probability, zero),
+    }
+}
+
+/// The chosen lobe, for a single number.
+#[inline(always)]
+pub fn only<M: Mask>(chosen: &[M; MAX_LOBES]) -> Option<usize> {
+    chosen.iter().position(|is_chosen| is_chosen.any())
+}
+
+/// Which lobe's share of [0, 1) the number lies in; none if all shares are 0.
+#[inline(always)]
+pub fn chosen_lobe<T: Lane>(shares: &PerLobe<T>, u: T) -> [T::Mask; MAX_LOBES] {
+    let zero = T::new(0.0);
+    let never = zero.lt(zero);
+    let (mut chosen, mut is_open, mut below) = ([never; MAX_LOBES], !never, zero);
+    for (chosen, share) in chosen.iter_mut().zip(shares) {
+        below = below + *share;
+        *chosen = is_open & share.gt(zero) & u.lt(below);
+        is_open = is_open & !*chosen;
+    }
+    // Rounding may leave the sum of all shares below u: then the last lobe is meant.
+    for (chosen, share) in chosen.iter_mut().zip(shares).rev() {
+        let is_last = is_open & share.gt(zero);
+        *chosen = *chosen | is_last;
+        is_open = is_open & !is_last;
+    }
+    chosen
+}

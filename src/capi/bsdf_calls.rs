@@ -1,0 +1,185 @@
+//! Single calls of a BSDF.
+
+use super::boundary::{check_output, guard, numbers, require, write_growing};
+use super::bsdf::handle;
+use super::bsdf_types::PellicleSample;
+use super::call::call_options;
+use super::types::{PellicleBsdf, PellicleCall, PellicleStatus};
+use crate::bsdf::{Bsdf, Evaluation, MAX_VARYING};
+use libc::size_t;
+use std::mem::MaybeUninit;
+
+/// The most numbers that varying parameters have together.
+const MAX_FLOATS: usize = 3 * MAX_VARYING;
+
+/// Evaluates f(wo, wi) |wi.z|, the density with which pellicle_bsdf_sample() finds wi from wo, and the
+/// density with which it finds wo from wi.
+///
+/// `wo`, `wi`: 3 numbers each. `varying`: PellicleBsdfInfo::varying_floats numbers, the components of the
+/// varying parameters one after another in declared order; NULL gives each its default (see
+/// PellicleVaryingInfo). `call`: transport and lobes; NULL means radiance and every lobe. `value`: 3 numbers;
+/// `pdf` and `pdf_reverse`: one each, per solid angle. Each output may be NULL if it is not wanted, but not
+/// all of them.
+///
+/// # Safety
+/// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `call` good for its size.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_bsdf_eval(
+    bsdf: *const PellicleBsdf,
+    wo: *const f32,
+    wi: *const f32,
+    varying: *const f32,
+    call: *const PellicleCall,
+    value: *mut f32,
+    pdf: *mut f32,
+    pdf_reverse: *mut f32,
+) -> PellicleStatus {
+    guard(|| {
+        // SAFETY: the caller vouches for the handle and the lengths of the arrays.
+        unsafe {
+            let bsdf = &handle(bsdf)?.bsdf;
+            let wo = numbers::<3>(wo, "wo")?.into();
+            let wi = numbers::<3>(wi, "wi")?.into();
+            let mut room = MaybeUninit::uninit();
+            let varying = varying_numbers(bsdf, varying, &mut room);
+            let call = call_options(call)?;
+            if pdf_reverse.is_null() && pdf.is_null() {
+                require(value, "value (and pdf and pdf_reverse)")?;
+                write_rgb(value, bsdf.eval(wo, wi, varying, &call));
+                return Ok(());
+            }
+            let found = if pdf_reverse.is_null() {
+                let (value, pdf) = bsdf.eval_pdf(wo, wi, varying, &call);
+                Evaluation {
+                    value,
+                    pdf,
+                    pdf_reverse: 0.0,
+                }
+            } else {
+                bsdf.evaluate(wo, wi, varying, &call)
+            };
+            if !value.is_null() {
+                write_rgb(value, found.value);
+            }
+            if !pdf.is_null() {
+                pdf.write_unaligned(found.pdf);
+            }
+            if !pdf_reverse.is_null() {
+                pdf_reverse.write_unaligned(found.pdf_reverse);
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Samples a direction to the light. `u`: 3 uniform random numbers in [0, 1); the first chooses the
+/// lobe. `varying` and `call` as in pellicle_bsdf_eval(). Without a valid sample everything in `sample` is 0.
+///
+/// # Safety
+/// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `call` good for its size,
+/// `sample` good for `sample_size` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_bsdf_sample(
+    bsdf: *const PellicleBsdf,
+    wo: *const f32,
+    u: *const f32,
+    varying: *const f32,
+    call: *const PellicleCall,
+    sample: *mut PellicleSample,
+    sample_size: size_t,
+) -> PellicleStatus {
+    guard(|| {
+        check_output(sample, sample_size, "sample")?;
+        // SAFETY: the caller vouches for the handle, the lengths of the arrays and `sample_size`.
+        unsafe {
+            let bsdf = &handle(bsdf)?.bsdf;
+            let wo = numbers::<3>(wo, "wo")?.into();
+            let u = numbers::<3>(u, "u")?.into();
+            let mut room = MaybeUninit::uninit();
+            let varying = varying_numbers(bsdf, varying, &mut room);
+            let call = call_options(call)?;
+            let sampled = bsdf.sample(wo, u, varying, &call);
+            let filled = PellicleSample {
+                wi: sampled.wi.to_array(),
+                pdf: sampled.pdf,
+                weight: sampled.weight,
+                eta: sampled.eta,
+                flags: sampled.flags.0,
+                lobe: sampled.lobe as u32,
+                lobe_probability: sampled.lobe_probability,
+            };
+            write_growing(sample, sample_size, &filled);
+        }
+        Ok(())
+    })
+}
+
+/// Integrates the value over wi, Dirac lobes included: the directional albedo, RGB, into `albedo` (3
+/// numbers). `varying` and `call` as in pellicle_bsdf_eval(). Call it when preparing, not when shading: it is
+/// a quadrature of some milliseconds, unless the model has a closed form. As radiance, transmitted light
+/// carries (eta_o / eta_i)^2: seen from within a dense base the albedo exceeds 1.
+///
+/// # Safety
+/// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `call` good for its size.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_bsdf_albedo(
+    bsdf: *const PellicleBsdf,
+    wo: *const f32,
+    varying: *const f32,
+    call: *const PellicleCall,
+    albedo: *mut f32,
+) -> PellicleStatus {
+    guard(|| {
+        require(albedo, "albedo")?;
+        // SAFETY: the caller vouches for the handle and the lengths of the arrays.
+        unsafe {
+            let bsdf = &handle(bsdf)?.bsdf;
+            let wo = numbers::<3>(wo, "wo")?.into();
+            let mut room = MaybeUninit::uninit();
+            let varying = varying_numbers(bsdf, varying, &mut room);
+            let call = call_options(call)?;
+            write_rgb(albedo, bsdf.albedo(wo, varying, &call));
+        }
+        Ok(())
+    })
+}
+
+#[inline(always)]
+unsafe fn write_rgb(target: *mut f32, rgb: [f32; 3]) {
+    // SAFETY: the caller vouches for 3 numbers.
+    unsafe { target.cast::<[f32; 3]>().write_unaligned(rgb) }
+}
+
+/// The caller's varying values where they lie, or a copy in `room` if they are not aligned.
+#[inline(always)]
+unsafe fn varying_numbers<'a>(
+    bsdf: &Bsdf,
+    varying: *const f32,
+    room: &'a mut MaybeUninit<[f32; MAX_FLOATS]>,
+) -> Option<&'a [f32]> {
+    if varying.is_null() {
+        return None;
+    }
+    let count = bsdf.varying_floats();
+    if !varying.is_aligned() {
+        // SAFETY: the caller vouches that a varying array holds all the BSDF's varying numbers.
+        return Some(unsafe { copied(varying, count, room) });
+    }
+    // SAFETY: as above, and aligned.
+    Some(unsafe { std::slice::from_raw_parts(varying, count) })
+}
+
+#[cold]
+#[inline(never)]
+unsafe fn copied(
+    varying: *const f32,
+    count: usize,
+    room: &mut MaybeUninit<[f32; MAX_FLOATS]>,
+) -> &[f32] {
+    let room = room.write([0.0; MAX_FLOATS]);
+    for (i, number) in room[..count].iter_mut().enumerate() {
+        // SAFETY: the caller vouches for `count` numbers.
+        *number = unsafe { varying.add(i).read_unaligned() };
+    }
+    &room[..count]
+}

@@ -1,0 +1,182 @@
+//! Single calls of a film.
+
+use super::boundary::{elements, guard, require};
+use super::film::handle;
+use super::types::{PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE, PellicleFilm, PellicleStatus};
+use crate::error::Error;
+use crate::optics::stack::Side;
+use libc::size_t;
+
+/// Reflectance of unpolarised light from the ambient's side, RGB, into `rgb` (3 numbers).
+///
+/// `cos_theta`: cosine of incidence in the ambient medium, clamped to [1e-9, 1]. `thickness_nm`: of the
+/// layer that varies, clamped to its range, infinities too; if none varies, any number. NaN in either
+/// gives 0.
+///
+/// # Safety
+/// `film` must be NULL (refused) or a live handle, `rgb` NULL (refused) or good for 3 numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_film_reflectance(
+    film: *const PellicleFilm,
+    cos_theta: f32,
+    thickness_nm: f32,
+    rgb: *mut f32,
+) -> PellicleStatus {
+    guard(|| {
+        require(rgb, "rgb")?;
+        // SAFETY: the caller vouches for the handle and for 3 numbers.
+        unsafe { write(rgb, handle(film)?.film.reflectance(cos_theta, thickness_nm)) };
+        Ok(())
+    })
+}
+
+/// Reflectance and transmittance of unpolarised light from either side, as fractions of its power,
+/// RGB. A film created without `transmittance` has neither: UNSUPPORTED.
+///
+/// `side`: PELLICLE_SIDE_AMBIENT or PELLICLE_SIDE_BASE, where the light comes from and `cos_theta` is
+/// measured; any other: OUT_OF_RANGE. A base that absorbs sends no light: everything is 0 from its
+/// side. `cos_theta` and `thickness_nm` as in pellicle_film_reflectance(). `reflectance`,
+/// `transmittance`: 3 numbers each; either may be NULL if not wanted, not both.
+///
+/// # Safety
+/// `film` must be NULL (refused) or a live handle, the outputs NULL or good for 3 numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_film_eval(
+    film: *const PellicleFilm,
+    cos_theta: f32,
+    thickness_nm: f32,
+    side: u32,
+    reflectance: *mut f32,
+    transmittance: *mut f32,
+) -> PellicleStatus {
+    guard(|| {
+        if transmittance.is_null() {
+            require(reflectance, "reflectance (and transmittance)")?;
+        }
+        // SAFETY: the caller vouches for the handle and for 3 numbers each.
+        unsafe {
+            let colors = handle(film)?
+                .film
+                .colors(known_side(side)?, cos_theta, thickness_nm)?;
+            if !reflectance.is_null() {
+                write(reflectance, colors.reflectance);
+            }
+            if !transmittance.is_null() {
+                write(transmittance, colors.transmittance);
+            }
+        }
+        Ok(())
+    })
+}
+
+/// What pellicle_film_reflectance() approximates: the reflectance by full wave optics, converged and
+/// never clipped. Slow (25 microseconds and up); it allocates. Call it to check, not to shade.
+///
+/// # Safety
+/// As for pellicle_film_reflectance().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_film_reference(
+    film: *const PellicleFilm,
+    cos_theta: f32,
+    thickness_nm: f32,
+    rgb: *mut f32,
+) -> PellicleStatus {
+    guard(|| {
+        require(rgb, "rgb")?;
+        // SAFETY: the caller vouches for the handle and for 3 numbers.
+        unsafe {
+            let found = handle(film)?;
+            let found = found
+                .film
+                .reference(f64::from(cos_theta), f64::from(thickness_nm));
+            write(rgb, found.map(|channel| channel as f32));
+        }
+        Ok(())
+    })
+}
+
+/// Reflectance of unpolarised light from the ambient's side at single wavelengths, by full wave
+/// optics, for spectral renderers. Allocates.
+///
+/// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE.
+/// Named media are constant outside the range of their data (PellicleMediumInfo). `reflectance`: `count`
+/// numbers; it may be the array `lambda_nm` itself, and is refused if it overlaps that otherwise.
+/// `cos_theta` and `thickness_nm` as in pellicle_film_reflectance().
+///
+/// # Safety
+/// `film` must be NULL (refused) or a live handle, the arrays NULL (refused, unless `count` is 0) or
+/// good for `count` numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_film_spectrum(
+    film: *const PellicleFilm,
+    cos_theta: f32,
+    thickness_nm: f32,
+    lambda_nm: *const f32,
+    count: size_t,
+    reflectance: *mut f32,
+) -> PellicleStatus {
+    guard(|| {
+        // SAFETY: the caller vouches for the handle and for `count` numbers each.
+        unsafe {
+            let film = &handle(film)?.film;
+            check_wavelengths(lambda_nm, count)?;
+            if count > 0 {
+                require(reflectance, "reflectance")?;
+            }
+            check_apart(lambda_nm, reflectance, count)?;
+            let (cos_theta, thickness_nm) = (f64::from(cos_theta), f64::from(thickness_nm));
+            for i in 0..count {
+                let wavelength_nm = f64::from(lambda_nm.add(i).read_unaligned());
+                let found = film.spectrum(cos_theta, thickness_nm, wavelength_nm);
+                reflectance.add(i).write_unaligned(found as f32);
+            }
+        }
+        Ok(())
+    })
+}
+
+#[inline(always)]
+unsafe fn write(target: *mut f32, rgb: [f32; 3]) {
+    // SAFETY: the caller vouches for 3 numbers.
+    unsafe { target.cast::<[f32; 3]>().write_unaligned(rgb) }
+}
+
+#[inline(always)]
+fn known_side(side: u32) -> Result<Side, Error> {
+    match side {
+        PELLICLE_SIDE_AMBIENT => Ok(Side::Ambient),
+        PELLICLE_SIDE_BASE => Ok(Side::Base),
+        _ => Err(wrong_side(side)),
+    }
+}
+
+#[cold]
+fn wrong_side(side: u32) -> Error {
+    Error::out_of_range(format!(
+        "side = {side} is neither {PELLICLE_SIDE_AMBIENT} (ambient) nor {PELLICLE_SIDE_BASE} (base)"
+    ))
+}
+
+/// Refuses wavelengths before anything is written: outputs stay untouched if one of them is wrong.
+unsafe fn check_wavelengths(lambda_nm: *const f32, count: usize) -> Result<(), Error> {
+    // SAFETY: the caller vouches for `count` numbers.
+    let mut given = unsafe { elements(lambda_nm, count, "lambda_nm")? }.enumerate();
+    match given.find(|(_, nm)| !(nm.is_finite() && *nm > 0.0)) {
+        Some((at, nm)) => Err(Error::out_of_range(format!(
+            "lambda_nm[{at}] = {nm} is not finite and above 0"
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// Refuses arrays that overlap without being the same: a result would replace a wavelength not read yet.
+fn check_apart(lambda_nm: *const f32, reflectance: *mut f32, count: usize) -> Result<(), Error> {
+    let distance = lambda_nm.addr().abs_diff(reflectance.addr());
+    if distance == 0 || distance >= count * size_of::<f32>() {
+        return Ok(());
+    }
+    Err(Error::invalid(format!(
+        "reflectance overlaps lambda_nm, {distance} bytes apart with count = {count}: give the same array or \
+         one apart from it"
+    )))
+}

@@ -1,0 +1,128 @@
+//! The structs of a film: what it is made of, how it is evaluated, and the arguments of its batch.
+
+use super::types::{PellicleConstView, PellicleView};
+use libc::{c_char, size_t};
+
+/// A medium, given in one of three ways: by `name`, by `eta` and `k`, or by a table of measurements.
+/// All zero means vacuum as a film's ambient and is refused elsewhere. It grows by appending; its size
+/// stands in PellicleFilmDesc::medium_size.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleMedium {
+    /// "Au", "SiO2", "water", ...; upper and lower case are alike. pellicle_medium_info() lists the names.
+    pub name: *const c_char,
+    /// Refractive index at 645, 525 and 445 nm, each within [0.001, 1000]: linear in 1 / lambda^2
+    /// between them, constant outside. Three equal values are a constant.
+    pub eta: [f32; 3],
+    /// Extinction, the index's imaginary part, at the same wavelengths, each within [0, 1000].
+    /// 0: transparent.
+    pub k: [f32; 3],
+    /// `table_count` vacuum wavelengths in nm, ascending, within [1, 1e6]: the index is linear between
+    /// them and constant outside. Copied.
+    pub table_nm: *const f32,
+    /// `table_count` refractive indices, in the range of `eta`. Copied.
+    pub table_eta: *const f32,
+    /// `table_count` extinctions, in the range of `k`. Copied.
+    pub table_k: *const f32,
+    /// Number of entries in each of the three arrays of the table.
+    pub table_count: size_t,
+}
+
+/// A layer of a film. It grows by appending; its size stands in PellicleFilmDesc::layer_size.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleLayer {
+    /// The layer's medium. Copied.
+    pub medium: *const PellicleMedium,
+    /// Least thickness, nm, within [0, 1e8].
+    pub thickness_min_nm: f32,
+    /// Greatest thickness, nm, within [0, 1e8]. Equal to the least: fixed. At most one layer of a film
+    /// may vary; its thickness comes with every call.
+    pub thickness_max_nm: f32,
+}
+
+/// What film to create: layers between an ambient medium and a base. Zero-initialise it, then set
+/// what you need: zero means default. It grows by appending; pass sizeof(PellicleFilmDesc).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleFilmDesc {
+    /// sizeof(PellicleMedium); needed.
+    pub medium_size: size_t,
+    /// sizeof(PellicleLayer): the bytes from one layer to the next. Needed if there are layers.
+    pub layer_size: size_t,
+    /// Where the light comes from; NULL: vacuum. It must have k = 0 and eta >= 1. Copied.
+    pub ambient: *const PellicleMedium,
+    /// The layers, the ambient's neighbour first; NULL if `layer_count` is 0. Copied.
+    pub layers: *const PellicleLayer,
+    /// Number of layers, at most 64; 0: the bare base.
+    pub layer_count: size_t,
+    /// What the layers lie on; needed. Copied.
+    pub base: *const PellicleMedium,
+    /// The greatest error allowed of a channel of the clipped colours, within [1e-5, 1];
+    /// 0: the default, 2e-3.
+    pub tolerance: f32,
+    /// 1: leave colours outside [0, 1] as they are (saturated films have such, negative ones too);
+    /// 0: clip them.
+    pub unclipped: u32,
+    /// 1: also keep the transmittance, and the reflectance from the base's side, for
+    /// pellicle_film_eval(); 0: do not.
+    pub transmittance: u32,
+    /// The white in which a perfect mirror is (1, 1, 1): "E" or "D65"; NULL: "E".
+    pub white: *const c_char,
+    /// "rec709", "rec2020", "acescg" or "xyz", linear; NULL: "rec709".
+    pub color_space: *const c_char,
+    /// The name of the method of evaluation, out of PELLICLE_NAMES_METHOD; NULL: the cheapest that holds the
+    /// tolerance.
+    pub method: *const c_char,
+    /// The instructions of batches, out of PELLICLE_NAMES_SIMD_LEVEL; NULL: the widest. For tests: the
+    /// results are the same.
+    pub simd_level: *const c_char,
+}
+
+/// What a film is. It grows by appending; pass sizeof(PellicleFilmInfo).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleFilmInfo {
+    /// 1: a layer's thickness varies and comes with every call; 0: none does.
+    pub varies: u32,
+    /// 1: pellicle_film_eval() can be called; 0: the film keeps no transmittance.
+    pub transmittance: u32,
+    /// Least thickness of the layer that varies, nm; 0 if none does.
+    pub thickness_min_nm: f32,
+    /// Greatest thickness of the layer that varies, nm; 0 if none does.
+    pub thickness_max_nm: f32,
+}
+
+/// How a film is evaluated, and how well. It grows by appending; pass sizeof(PellicleFilmPlan).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleFilmPlan {
+    /// The method's name. It lives as long as the library.
+    pub method: *const c_char,
+    /// The error that was allowed.
+    pub tolerance: f32,
+    /// The greatest error of a channel that was measured at creation, of the clipped colours against
+    /// full wave optics.
+    pub measured_max: f32,
+    /// The root of the mean square of the errors measured.
+    pub measured_rms: f32,
+    /// Bytes of the film's tables.
+    pub bytes: size_t,
+    /// Why this method was chosen, in a sentence. It lives as long as the film.
+    pub reason: *const c_char,
+}
+
+/// Arguments of pellicle_film_reflectance_batch(). Zero-initialise them. They grow by appending; pass
+/// sizeof(PellicleFilmBatchArgs).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleFilmBatchArgs {
+    /// Number of elements; 0 is allowed and does nothing.
+    pub count: size_t,
+    /// Cosines of incidence in the ambient medium, 1 component.
+    pub cos_theta: PellicleConstView,
+    /// Thicknesses of the layer that varies, nm, 1 component; data may be NULL only if none varies.
+    pub thickness_nm: PellicleConstView,
+    /// Receives the reflectance, 3 components.
+    pub reflectance: PellicleView,
+}

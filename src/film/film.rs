@@ -1,0 +1,248 @@
+//! A film, compiled: what the users of this module hold.
+
+use super::colors::{Colors, clamp_inputs, has_nan};
+use super::description::FilmDescription;
+use super::evaluator::Evaluator;
+use super::plan::choose::{Plan, plan};
+use super::table::spline::SplineTable;
+use crate::error::Error;
+use crate::num::{Lane, Real, Rgb, each};
+use crate::optics::stack::Side;
+use crate::optics::{Medium, Reference};
+
+/// A coating, compiled to the method that its [`Plan`] names. Immutable; share it between threads.
+///
+/// `cos_theta` is the cosine of incidence on the side that the light comes from, clamped to \[1e-9, 1\];
+/// `thickness_nm` is the thickness of the layer that varies, clamped to its range, and ignored if none
+/// varies. NaN in either gives 0. Colours are linear, normalised so that a perfect mirror is (1, 1, 1),
+/// and clipped to \[0, 1\] unless the description says `unclipped`. The tolerance does not hold for films
+/// thinner than 0.001 nm at cosines below 1e-4: there a soap film turns from nothing into a mirror.
+pub struct Film {
+    description: FilmDescription,
+    pub(super) evaluator: Evaluator,
+    plan: Plan,
+    /// The range that thicknesses are clamped to, nm.
+    thickness_nm: [f32; 2],
+    /// The range that colours are clipped to.
+    color: [<f32 as Lane>::Rgb; 2],
+    reference: Reference,
+}
+
+/// Smaller cosines are replaced by this one. At 0 the thinnest film mirrors, and no film does not.
+const LEAST_COSINE: f32 = 1e-9;
+
+impl Film {
+    /// Validates a description and compiles it.
+    ///
+    /// # Errors
+    /// `OutOfRange`, `InvalidArgument`, `UnknownName` (method), `Unsupported` (a method that does not
+    /// take such a film), `OutOfMemory`.
+    pub fn new(description: &FilmDescription) -> Result<Self, Error> {
+        description.check()?;
+        let layers = description.layers.iter().map(|layer| layer.medium.clone());
+        let reference = Reference::new(
+            description.ambient.clone(),
+            layers.collect(),
+            description.base.clone(),
+            description.white,
+            description.color_space,
+        )?;
+        let (evaluator, plan) = plan(description, &reference)?;
+        let color = if description.unclipped {
+            [f32::NEG_INFINITY, f32::INFINITY]
+        } else {
+            [0.0, 1.0]
+        };
+        Ok(Self {
+            description: description.clone(),
+            evaluator,
+            plan,
+            thickness_nm: description.varying_range().map(|x| x as f32),
+            color: color.map(f32::gray),
+            reference,
+        })
+    }
+
+    /// The description that it was made from.
+    pub fn description(&self) -> &FilmDescription {
+        &self.description
+    }
+
+    /// The method that evaluates it, and its measured errors.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// The range of the thickness that varies, nm, if one does.
+    pub fn varying_thickness_nm(&self) -> Option<[f64; 2]> {
+        self.description.varying()?;
+        Some(self.description.varying_range())
+    }
+
+    /// Reflectance from the ambient's side.
+    #[inline(always)]
+    pub fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        self.reflectance_lanes(cos_theta, thickness_nm)
+    }
+
+    /// [`Film::reflectance`] in each lane.
+    #[inline(always)]
+    pub(crate) fn reflectance_lanes<L: Lane<Scalar = f32>>(
+        &self,
+        cos_theta: L,
+        thickness_nm: L,
+    ) -> Rgb<L> {
+        let inputs = [cos_theta, thickness_nm];
+        match self.table() {
+            Some(table) if !has_nan(inputs) => {
+                let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
+                L::channels(self.clip::<L>(table.at(cos_theta, thickness_nm)))
+            }
+            _ => self.reflectance_one_by_one(inputs),
+        }
+    }
+
+    /// The table of the reflectance from the ambient's side, if the film is one over the cosine there.
+    #[inline(always)]
+    pub(super) fn table(&self) -> Option<&SplineTable> {
+        match &self.evaluator {
+            Evaluator::Tables(tables) => tables.over_ambient_cosine(),
+            _ => None,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn clamp_inputs<L: Lane<Scalar = f32>>(&self, inputs: [L; 2]) -> [L; 2] {
+        let [least, greatest] = self.thickness_nm;
+        clamp_inputs(
+            inputs,
+            [L::splat(LEAST_COSINE), L::splat(1.0)],
+            [L::splat(least), L::splat(greatest)],
+        )
+    }
+
+    #[inline(always)]
+    pub(super) fn clip<L: Lane<Scalar = f32>>(&self, rgb: L::Rgb) -> L::Rgb {
+        let [least, greatest] = self.color;
+        rgb.max(L::splat_rgb(least)).min(L::splat_rgb(greatest))
+    }
+
+    /// [`Film::reflectance_with`] of each lane.
+    #[inline(always)]
+    pub(super) fn reflectance_one_by_one<L: Lane<Scalar = f32>>(
+        &self,
+        [cos_theta, thickness_nm]: [L; 2],
+    ) -> Rgb<L> {
+        const MOST: usize = 16;
+        let mut inputs = [[0.0; MOST]; 2];
+        cos_theta.store(&mut inputs[0][..L::COUNT]);
+        thickness_nm.store(&mut inputs[1][..L::COUNT]);
+        let [cos_theta, thickness_nm] = inputs;
+        let mut channels = [[0.0; MOST]; 3];
+        for lane in 0..L::COUNT {
+            let color = self.reflectance_with(cos_theta[lane], thickness_nm[lane]);
+            for (channel, number) in channels.iter_mut().zip(color) {
+                channel[lane] = number;
+            }
+        }
+        each!(channels, |numbers| L::load(&numbers[..L::COUNT]))
+    }
+
+    /// [`Film::reflectance`] by any evaluator, and of inputs that may be NaN.
+    #[inline(never)]
+    fn reflectance_with(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        let inputs = [cos_theta, thickness_nm];
+        if has_nan(inputs) {
+            return [0.0; 3];
+        }
+        let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
+        let rgb = match &self.evaluator {
+            Evaluator::Tables(tables) => tables.reflectance(cos_theta, thickness_nm),
+            Evaluator::Method(method) => method.reflectance(cos_theta, thickness_nm),
+            Evaluator::Series(_) | Evaluator::Reference => {
+                self.unclipped_colors(Side::Ambient, cos_theta, thickness_nm)
+                    .reflectance
+            }
+        };
+        f32::channels(self.clip::<f32>(f32::rgb(rgb)))
+    }
+
+    /// The unclipped colours for inputs in their ranges, by an evaluator that knows both sides.
+    fn unclipped_colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        let (c, d) = (f64::from(cos_theta), f64::from(thickness_nm));
+        match &self.evaluator {
+            // Every wavelength has its own critical angle beside a half-space that disperses.
+            _ if side == Side::Base && self.description.disperses() => self.converged(side, c, d),
+            Evaluator::Tables(tables) => tables.colors(side, cos_theta, thickness_nm),
+            Evaluator::Series(series) => series.at(side, c, d).to_f32(),
+            Evaluator::Method(_) | Evaluator::Reference => self.converged(side, c, d),
+        }
+    }
+
+    /// Reflectance and transmittance from either side; all 0 from a base that absorbs. If a half-space
+    /// disperses, the reference answers from the base's side, which is slow and allocates: every
+    /// wavelength has its own critical angle there.
+    ///
+    /// # Errors
+    /// `Unsupported`, if the description does not ask for transmittance.
+    pub fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Result<Colors, Error> {
+        if !self.description.transmittance {
+            return Err(Error::unsupported(
+                "this film keeps no transmittance: set transmittance = 1 in its description",
+            ));
+        }
+        if side == Side::Base && self.description.base.absorbs() {
+            return Ok(Colors::default());
+        }
+        let inputs = [cos_theta, thickness_nm];
+        if has_nan(inputs) {
+            return Ok(Colors::default());
+        }
+        let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
+        let colors = self.unclipped_colors(side, cos_theta, thickness_nm);
+        let clipped = |rgb: Rgb<f32>| f32::channels(self.clip::<f32>(f32::rgb(rgb)));
+        Ok(Colors {
+            reflectance: clipped(colors.reflectance),
+            transmittance: clipped(colors.transmittance),
+        })
+    }
+
+    /// The converged reflectance from the ambient's side by full wave optics, not clipped; 0 for NaN. For
+    /// checking: it is slow and allocates.
+    pub fn reference(&self, cos_theta: f64, thickness_nm: f64) -> Rgb<f64> {
+        if cos_theta.is_nan() || thickness_nm.is_nan() {
+            return [0.0; 3];
+        }
+        let cos_theta = cos_theta.clamp(0.0, 1.0);
+        let thicknesses = self.description.thicknesses(thickness_nm);
+        let found = self
+            .reference
+            .evaluate(Side::Ambient, cos_theta, &thicknesses);
+        found.reflectance
+    }
+
+    /// Reflectance of unpolarised light at one vacuum wavelength (nm, > 0), for spectral renderers; 0 for
+    /// NaN. Beyond 380-780 nm indices are those at the ends of that range. Allocates.
+    pub fn spectrum(&self, cos_theta: f64, thickness_nm: f64, wavelength_nm: f64) -> f64 {
+        if cos_theta.is_nan() || thickness_nm.is_nan() {
+            return 0.0;
+        }
+        let cos_theta = cos_theta.clamp(0.0, 1.0);
+        let thicknesses = self.description.thicknesses(thickness_nm);
+        self.reference
+            .spectrum(Side::Ambient, cos_theta, &thicknesses, wavelength_nm)
+            .unpolarized_reflectance()
+    }
+
+    /// The ambient medium and the base, for those who refract.
+    pub fn half_spaces(&self) -> [&Medium; 2] {
+        [&self.description.ambient, &self.description.base]
+    }
+
+    /// The unclipped colours by the reference.
+    #[inline(never)]
+    fn converged(&self, side: Side, cos_theta: f64, thickness_nm: f64) -> Colors {
+        let thicknesses = self.description.thicknesses(thickness_nm);
+        Colors::from(self.reference.evaluate(side, cos_theta, &thicknesses)).to_f32()
+    }
+}

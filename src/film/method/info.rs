@@ -1,0 +1,146 @@
+//! What the planner knows of a method.
+
+use super::compiled_method::CompiledMethod;
+use super::one_layer::OneLayer;
+use crate::error::Error;
+use crate::film::description::FilmDescription;
+use crate::film::plan::planner::{Candidate, Planner};
+use crate::film::plan::points::critical_angles;
+use crate::num::Rgb;
+use crate::optics::stack::Side;
+
+/// A method: its name, its sizes, its cost and how it is compiled.
+pub(in crate::film) struct MethodInfo {
+    /// The name that forces the method ([`FilmDescription::method`]) and that
+    /// [`Plan::method`](crate::film::Plan::method) reports.
+    pub name: &'static str,
+    /// The sizes that are tried; a method without sizes has one, which it ignores.
+    pub sizes: &'static [usize],
+    /// What a call costs in a size, ns: about the median of `./x chart` on one core of a 2024 server
+    /// (docs/chart.csv). Costs only have to put the methods in order; they are constants, so that the
+    /// order is the same on every machine.
+    pub cost_ns: fn(usize) -> f64,
+    /// Whether a plan may choose the method unasked.
+    pub is_automatic: bool,
+    /// Whether the method takes a film.
+    pub takes: fn(&FilmDescription) -> bool,
+    /// The films that it takes, in words.
+    pub takes_words: &'static str,
+    /// The greatest error that may be measured for a tolerance.
+    pub allowed_error: fn(f64) -> f64,
+    /// Why a plan chooses the method unasked.
+    pub reason: &'static str,
+    pub compile: Compile,
+}
+
+/// How a method is compiled.
+pub(in crate::film) enum Compile {
+    /// For a film of one layer.
+    OneLayer(OneLayerCompile),
+    /// For any film that the method takes; `None` if it cannot hold the tolerance.
+    Film(fn(&Planner<'_>) -> Result<Option<Candidate>, Error>),
+}
+
+/// A constructor for a film of one layer and a size. It fails if the size is out of range.
+type Constructor<T> = fn(&OneLayer, usize) -> Result<Box<dyn CompiledMethod<T>>, Error>;
+
+/// How a method for one layer is compiled.
+pub(in crate::film) struct OneLayerCompile {
+    pub single: Constructor<f32>,
+    pub double: Constructor<f64>,
+    /// What an evaluation in a size takes, in words.
+    pub work: fn(usize) -> String,
+}
+
+/// The part of the tolerance that the error of a method for one layer may have at the points where it
+/// is measured.
+const MEASURED: f64 = 0.4;
+
+impl MethodInfo {
+    /// What methods for one layer have in common; they have one size and are not chosen unasked. The
+    /// errors of fixed wavelengths and of truncated series jump, because they alias.
+    pub(super) const fn one_layer(name: &'static str, compile: OneLayerCompile) -> Self {
+        Self {
+            name,
+            sizes: &[1],
+            cost_ns: |_| f64::INFINITY,
+            is_automatic: false,
+            takes: |description| description.layers.len() == 1 && !description.transmittance,
+            takes_words: "one layer, and no transmittance",
+            allowed_error: |tolerance| MEASURED * tolerance,
+            reason: "the cheapest method that holds the tolerance",
+            compile: Compile::OneLayer(compile),
+        }
+    }
+
+    /// Compiles the method for the planner's film and measures it; `None` if it cannot hold the
+    /// tolerance.
+    pub(in crate::film) fn compile(
+        &self,
+        planner: &Planner<'_>,
+        size: usize,
+    ) -> Result<Option<Candidate>, Error> {
+        match &self.compile {
+            Compile::OneLayer(compile) => {
+                let method = OneLayerFilm::new(planner.description, compile, size)?;
+                Ok(Some(
+                    planner.measured(Box::new(method), (compile.work)(size)),
+                ))
+            }
+            Compile::Film(compile) => compile(planner),
+        }
+    }
+}
+
+/// A method for a film of one layer, in the precision that the film needs.
+struct OneLayerFilm {
+    method: InPrecision,
+    /// The thickness, nm, if it does not vary.
+    fixed_nm: Option<f32>,
+}
+
+/// Double precision is for films that reflect some light totally: at a critical angle a wave is the
+/// root of a difference of squares and has half of their digits. In single precision bands were off by
+/// 5e-3 there.
+enum InPrecision {
+    Single(Box<dyn CompiledMethod<f32>>),
+    Double(Box<dyn CompiledMethod<f64>>),
+}
+
+impl OneLayerFilm {
+    fn new(
+        description: &FilmDescription,
+        compile: &OneLayerCompile,
+        size: usize,
+    ) -> Result<Self, Error> {
+        let layer = OneLayer::new(
+            description.ambient.clone(),
+            description.layers[0].medium.clone(),
+            description.base.clone(),
+            description.white,
+            description.color_space,
+        )?;
+        let critical = critical_angles(description, Side::Ambient).all();
+        let is_fixed = description.varying().is_none();
+        Ok(Self {
+            method: if critical.is_empty() {
+                InPrecision::Single((compile.single)(&layer, size)?)
+            } else {
+                InPrecision::Double((compile.double)(&layer, size)?)
+            },
+            fixed_nm: is_fixed.then_some(description.layers[0].thickness_nm[0] as f32),
+        })
+    }
+}
+
+impl CompiledMethod<f32> for OneLayerFilm {
+    fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        let thickness_nm = self.fixed_nm.unwrap_or(thickness_nm);
+        match &self.method {
+            InPrecision::Single(method) => method.reflectance(cos_theta, thickness_nm),
+            InPrecision::Double(method) => method
+                .reflectance(f64::from(cos_theta), f64::from(thickness_nm))
+                .map(|channel| channel as f32),
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The choice of a method.
+
+use super::planner::{Candidate, Planner};
+use crate::error::Error;
+use crate::film::description::FilmDescription;
+use crate::film::evaluator::Evaluator;
+use crate::film::method::info::MethodInfo;
+use crate::film::method::registry::{ALL, METHODS};
+use crate::optics::Reference;
+
+/// What was chosen, and what it was measured to do.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The method's name, one of [`METHODS`](crate::film::METHODS).
+    pub method: &'static str,
+    /// The error that was allowed.
+    pub tolerance: f64,
+    /// The greatest error of a channel found, at points that the method was not made from.
+    pub measured_max: f64,
+    /// The root of the mean square of the errors found.
+    pub measured_rms: f64,
+    /// Bytes of the tables.
+    pub bytes: usize,
+    /// One sentence.
+    pub reason: String,
+}
+
+/// Chooses and compiles the cheapest method whose measured error is allowed, or the cheapest size of the
+/// method that the description forces.
+pub(in crate::film) fn plan(
+    description: &FilmDescription,
+    reference: &Reference,
+) -> Result<(Evaluator, Plan), Error> {
+    let tolerance = description.tolerance;
+    let forced = description.method.as_deref();
+    if let Some(name) = forced {
+        check_forced(name, description)?;
+    }
+    let planner = Planner::new(description, reference)?;
+    let mut best: Option<Candidate> = None;
+    for (method, size) in by_cost(description, forced) {
+        let Some(candidate) = method.compile(&planner, size)? else {
+            continue;
+        };
+        let max = candidate.errors.max;
+        if max <= (method.allowed_error)(tolerance) {
+            let plan = Plan {
+                method: method.name,
+                tolerance,
+                measured_max: max,
+                measured_rms: candidate.errors.rms(),
+                bytes: candidate.bytes,
+                reason: reason(&candidate.size, method, forced.is_some()),
+            };
+            return Ok((candidate.evaluator, plan));
+        }
+        if best.as_ref().is_none_or(|best| max < best.errors.max) {
+            best = Some(candidate);
+        }
+    }
+    let name = forced.unwrap_or("reference");
+    let found = best.map_or("no table that is small enough does".to_owned(), |best| {
+        let (max, size) = (best.errors.max, best.size);
+        format!("the best it can do is {max:.2e}, with {size}")
+    });
+    Err(Error::unsupported(format!(
+        "method '{name}' cannot hold tolerance = {tolerance:.2e} (errors found may have a part of it): {found}"
+    )))
+}
+
+/// The methods that take a film, or only the forced one, in their sizes, the cheapest first.
+fn by_cost(
+    description: &FilmDescription,
+    forced: Option<&str>,
+) -> Vec<(&'static MethodInfo, usize)> {
+    let is_candidate = |method: &&MethodInfo| {
+        (method.takes)(description)
+            && forced.map_or(method.is_automatic, |name| method.name == name)
+    };
+    let mut candidates: Vec<_> = ALL
+        .into_iter()
+        .filter(is_candidate)
+        .flat_map(|method| method.sizes.iter().map(move |size| (method, *size)))
+        .collect();
+    candidates.sort_by(|a, b| (a.0.cost_ns)(a.1).total_cmp(&(b.0.cost_ns)(b.1)));
+    candidates
+}
+
+/// Refuses a name that does not exist, and a method that does not take the film.
+fn check_forced(name: &str, description: &FilmDescription) -> Result<(), Error> {
+    let Some(method) = ALL.iter().find(|method| method.name == name) else {
+        return Err(Error::unknown("method", name, METHODS.into_iter()));
+    };
+    if (method.takes)(description) {
+        return Ok(());
+    }
+    let takes = method.takes_words;
+    Err(Error::unsupported(format!("method '{name}' takes {takes}")))
+}
+
+fn reason(size: &str, method: &MethodInfo, is_forced: bool) -> String {
+    let why = if is_forced {
+        "asked for by name, and it holds the tolerance"
+    } else {
+        method.reason
+    };
+    format!("{size}: {why}")
+}

@@ -1,0 +1,150 @@
+//! The number of wavenumbers that a [`FringeSeries`] needs.
+
+use super::points::{measured_range, points};
+use crate::error::Error;
+use crate::film::colors::Colors;
+use crate::film::description::FilmDescription;
+use crate::film::fringe_series::series::FringeSeries;
+use crate::film::table::errors::Errors;
+use crate::optics::Reference;
+use crate::optics::stack::Side;
+
+/// The least and the greatest number of wavenumbers that is tried; each is half as large again as the
+/// one before.
+const LEAST_WAVENUMBERS: usize = 32;
+const MOST_WAVENUMBERS: usize = 1600;
+/// A series is compared with the next one at this number of points and at all pairs of the following
+/// cosines and thicknesses: parts of the range, and thicknesses (nm) at which thin metals resonate or
+/// many fringes have not yet faded.
+const POINTS: usize = 150;
+const COSINES: [f64; 7] = [1.0, 0.62, 0.27, 0.085, 0.021, 0.0037, 0.0008];
+const PARTS: [f64; 4] = [1.0, 0.0, 0.37, 0.029];
+const SOME_NM: [f64; 9] = [
+    5.3, 24.0, 110.0, 640.0, 1800.0, 3100.0, 4300.0, 7500.0, 12_000.0,
+];
+/// The difference of two series is at least this multiple of the error of the finer one: once the
+/// wavenumbers resolve the spectrum, the error falls faster than any power of their number.
+const FASTER: f64 = 3.0;
+/// The search for the greatest difference of two series starts at this number of points.
+const CLIMBS: usize = 16;
+/// The number of steps of each search.
+const CLIMB: u32 = 40;
+/// The greatest step of the logarithms of cosine and thickness, at the start and at the end.
+const FARTHEST: f64 = 0.7;
+const NEAREST: f64 = 1e-3;
+/// One point in this number is compared with the reference.
+const SELDOM: usize = 9;
+
+/// The coarsest series whose error is below the tolerance where films are hardest, and that error; if
+/// there is none, the best one. The error is estimated by the difference from a series with two thirds
+/// of the wavenumbers, and by the reference.
+pub(super) fn converged(
+    description: &FilmDescription,
+    reference: &Reference,
+    tolerance: f64,
+) -> Result<(FringeSeries, f64), Error> {
+    let points: Vec<_> = corners(description)
+        .chain(points(description, POINTS))
+        .collect();
+    let mut count = LEAST_WAVENUMBERS;
+    let coarse = FringeSeries::new(description, count)?;
+    let mut values = evaluated(&coarse, &points);
+    let mut best: Option<(FringeSeries, f64)> = None;
+    while best.as_ref().is_none_or(|(_, max)| *max > tolerance) && count < MOST_WAVENUMBERS {
+        count += count / 2;
+        let fine = FringeSeries::new(description, count)?;
+        let found = evaluated(&fine, &points);
+        let error = greatest(description, &values, &found) / FASTER;
+        values = found;
+        if best.as_ref().is_none_or(|(_, max)| error < *max) {
+            best = Some((fine, error));
+        }
+    }
+    let (series, mut error) = best.unwrap_or((coarse, f64::INFINITY));
+    if error <= tolerance {
+        let seldom: Vec<_> = points.iter().step_by(SELDOM).copied().collect();
+        let truth = seldom.iter().map(|&(side, c, d)| {
+            Colors::from(reference.evaluate(side, c, &description.thicknesses(d)))
+        });
+        let truth: Vec<_> = truth.collect();
+        error = error.max(greatest(description, &evaluated(&series, &seldom), &truth));
+    }
+    Ok((series, error))
+}
+
+/// The greatest difference of a series and one with half as many wavenumbers again, at `count` points and
+/// around those where it is greatest: resonances are ridges, and few points lie on top of one. The search
+/// ends with the first difference that is not allowed.
+pub(in crate::film) fn uncertainty(
+    description: &FilmDescription,
+    series: &FringeSeries,
+    count: usize,
+    allowed: f64,
+) -> Result<f64, Error> {
+    let fine = FringeSeries::new(description, series.len() + series.len() / 2)?;
+    let difference = |&point: &(Side, f64, f64)| {
+        let [series, fine] = [series, &fine].map(|series| evaluated(series, &[point]));
+        greatest(description, &series, &fine)
+    };
+    let mut found = Vec::with_capacity(count);
+    for point in points(description, count) {
+        let error = difference(&point);
+        if error > allowed {
+            return Ok(error);
+        }
+        found.push((error, point));
+    }
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let [least, greatest] = measured_range(description);
+    let mut random = 0.5;
+    let climbed = found.into_iter().take(CLIMBS).map(|(mut best, mut top)| {
+        for step in 0..CLIMB {
+            let part = f64::from(step) / f64::from(CLIMB);
+            let reach = FARTHEST * (NEAREST / FARTHEST).powf(part);
+            let mut factor = |by: f64| {
+                random = (random + by).fract();
+                (reach * (2.0 * random - 1.0)).exp()
+            };
+            let (side, c, d) = top;
+            let c = (c * factor(0.754_877_666)).min(1.0);
+            let d = (least + (d - least) * factor(0.569_840_291)).min(greatest);
+            let error = difference(&(side, c, d));
+            if error > best {
+                (best, top) = (error, (side, c, d));
+            }
+        }
+        best
+    });
+    Ok(climbed.fold(0.0, f64::max))
+}
+
+fn evaluated(series: &FringeSeries, points: &[(Side, f64, f64)]) -> Vec<Colors<f64>> {
+    let values = points.iter().map(|&(side, c, d)| series.at(side, c, d));
+    values.collect()
+}
+
+fn greatest(description: &FilmDescription, found: &[Colors<f64>], expected: &[Colors<f64>]) -> f64 {
+    let mut errors = Errors::default();
+    for (found, expected) in found.iter().zip(expected) {
+        errors.add(found.reflectance, expected.reflectance, true);
+        if description.transmittance {
+            errors.add(found.transmittance, expected.transmittance, true);
+        }
+    }
+    errors.max
+}
+
+/// The points of `COSINES`, `PARTS` and `SOME_NM`, from all sides.
+fn corners(description: &FilmDescription) -> impl Iterator<Item = (Side, f64, f64)> {
+    let [least, greatest] = measured_range(description);
+    let parts = PARTS.map(|part| least + part * (greatest - least));
+    let mut thicknesses: Vec<f64> = parts.into_iter().chain(SOME_NM).collect();
+    thicknesses.retain(|d| (least..=greatest).contains(d));
+    thicknesses.dedup();
+    description.sides().iter().flat_map(move |&side| {
+        let thicknesses = thicknesses.clone();
+        COSINES
+            .into_iter()
+            .flat_map(move |c| thicknesses.clone().into_iter().map(move |d| (side, c, d)))
+    })
+}

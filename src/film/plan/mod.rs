@@ -1,0 +1,6 @@
+//! Chooses how a film is evaluated: the cheapest method whose measured error holds the tolerance.
+
+pub(super) mod choose;
+pub(super) mod converge;
+pub(super) mod planner;
+pub(super) mod points;

@@ -1,0 +1,140 @@
+//! Tables of colours: quadratic splines over one or two coordinates.
+
+use super::axes::{Axes, Coordinates};
+use crate::error::Error;
+use crate::num::spline::{controls, weights};
+use crate::num::{INDEX_BIAS, Lane, Real, Rgb, TableBlock, TableEntry, each};
+
+/// Colours over the cosine alone (a film of fixed thickness, or none) or over cosine and thickness.
+///
+/// Cost: a division and 3 control points; over both coordinates two divisions, side by side, and 9
+/// control points.
+#[derive(Clone, Debug)]
+pub(in crate::film) struct SplineTable {
+    coordinates: Coordinates,
+    /// Control points: rows of equal y, two longer than the values are.
+    points: Box<[TableEntry<f32>]>,
+    /// The length of a row; 0 for a table over the cosine alone.
+    row: usize,
+}
+
+impl SplineTable {
+    /// Over the cosine alone, through values at equal steps of x, at least
+    /// [`LEAST_VALUES`](crate::num::spline::LEAST_VALUES). Fails if there is no memory.
+    pub(in crate::film) fn over_cosine(axes: &Axes, values: &[Rgb<f64>]) -> Result<Self, Error> {
+        let mut fitted = reserve(values.len() + 2)?;
+        controls(values, &mut fitted);
+        let mut points = reserve(fitted.len())?;
+        points.extend(fitted.into_iter().map(packed));
+        Ok(Self {
+            coordinates: axes.coordinates([values.len() - 1, 0]),
+            points: points.into(),
+            row: 0,
+        })
+    }
+
+    /// Over cosine and thickness, through values at equal steps of x and y, rows of equal y, `width`
+    /// values to a row; at least [`LEAST_VALUES`](crate::num::spline::LEAST_VALUES) along either. Fails
+    /// if there is no memory.
+    pub(in crate::film) fn over_both(
+        axes: &Axes,
+        values: &[Rgb<f64>],
+        width: usize,
+    ) -> Result<Self, Error> {
+        let height = values.len() / width;
+        let row = width + 2;
+        // Control points of each row first, then of each column of those.
+        let mut along_x = reserve(row * height)?;
+        let mut fitted = Vec::new();
+        for values in values.chunks(width) {
+            controls(values, &mut fitted);
+            along_x.extend_from_slice(&fitted);
+        }
+        let mut points = reserve(row * (height + 2))?;
+        points.resize(row * (height + 2), TableEntry::default());
+        let mut column = Vec::new();
+        for i in 0..row {
+            column.clear();
+            column.extend((0..height).map(|j| along_x[j * row + i]));
+            controls(&column, &mut fitted);
+            for (j, point) in fitted.iter().enumerate() {
+                points[j * row + i] = packed(*point);
+            }
+        }
+        Ok(Self {
+            coordinates: axes.coordinates([width - 1, height - 1]),
+            points: points.into(),
+            row,
+        })
+    }
+
+    /// The colours at cosines in [0, 1] and thicknesses within the range, nm; 0 for a table over the
+    /// cosine alone.
+    #[inline(always)]
+    pub(in crate::film) fn at<L: Lane<Scalar = f32>>(
+        &self,
+        cos_theta: L,
+        thickness_nm: L,
+    ) -> L::Rgb {
+        self.around::<L>(self.position(cos_theta, thickness_nm))
+    }
+
+    /// Steps along x, and along y twice; those along y are undefined for a table over the cosine alone.
+    #[inline(always)]
+    pub(in crate::film) fn position<L: Lane<Scalar = f32>>(
+        &self,
+        cos_theta: L,
+        thickness_nm: L,
+    ) -> L::Rgb {
+        self.coordinates.at(cos_theta, thickness_nm)
+    }
+
+    /// The colours at a [`SplineTable::position`].
+    #[inline(always)]
+    pub(in crate::film) fn around<L: Lane<Scalar = f32>>(&self, position: L::Rgb) -> L::Rgb {
+        let bias = L::Rgb::new(INDEX_BIAS);
+        let biased = position + bias;
+        let distance = position - (biased - bias);
+        let weights = each!(weights(distance), |weight| L::channels(weight));
+        let [column, row, _] = L::channels(biased);
+        let across = each!(weights, |[x, ..]| x);
+        if self.is_over_cosine() {
+            return L::weighted_row(&self.points, column, across);
+        }
+        let block = TableBlock {
+            first: [column, row],
+            across,
+            along: each!(weights, |[_, y, _]| y),
+        };
+        L::weighted_block(&self.points, self.row, block)
+    }
+
+    /// Whether the thickness does not matter.
+    #[inline(always)]
+    pub(in crate::film) fn is_over_cosine(&self) -> bool {
+        self.row == 0
+    }
+
+    /// Bytes of the control points.
+    pub(in crate::film) fn bytes(&self) -> usize {
+        size_of_val(&*self.points)
+    }
+
+    /// The number of values and where they are, in words.
+    pub(in crate::film) fn size(&self) -> String {
+        if self.is_over_cosine() {
+            return format!("{} values over the cosine", self.points.len() - 2);
+        }
+        let [width, height] = [self.row - 2, self.points.len() / self.row - 2];
+        format!("{width} x {height} values over cosine and thickness")
+    }
+}
+
+fn packed(rgb: Rgb<f64>) -> TableEntry<f32> {
+    TableEntry::new(rgb.map(|channel| channel as f32))
+}
+
+/// An empty vector with room for `count` elements; fails if there is no memory.
+pub(in crate::film) fn reserve<T>(count: usize) -> Result<Vec<T>, Error> {
+    Error::reserve(count, "a film's table")
+}

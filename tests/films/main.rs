@@ -1,0 +1,17 @@
+//! Films: their methods, plans and tables, and the smooth `film` model that shows them.
+
+mod accuracy;
+mod bsdf;
+mod bsdf_create;
+mod bsdf_directions;
+#[path = "../common/mod.rs"]
+mod common;
+mod compiled;
+mod film_lobes;
+mod limits;
+mod plan;
+mod plan_cases;
+mod plan_refusals;
+mod precision;
+mod sides;
+mod table_limit;
