@@ -102,16 +102,8 @@ fn methods(films: &Films) -> String {
             },
         ]
     });
-    let headings = [
-        "method",
-        "good for",
-        ">worst error",
-        "where",
-        ">digits lost, to 1 um",
-        ">any thickness",
-        ">above 1 by",
-    ];
-    table(&headings, rows)
+    let headings = "method | good for | >worst error | where | >digits lost, to 1 um | >any thickness | >above 1 by";
+    table(headings, rows)
 }
 
 /// The greatest difference of precisions at thicknesses to 1 um.
@@ -147,8 +139,7 @@ fn by_stack(swept: &Swept) -> String {
             map.methods.join(", "),
         ]
     });
-    let within = format!(">within {TOLERANCE:e}");
-    let headings = ["method", ">greatest", &within, ">reach, nm", "chosen"];
+    let headings = format!("method | >greatest | >within {TOLERANCE:e} | >reach, nm | chosen");
     format!("{}:\n\n{}\n", swept.scene.name, table(&headings, rows))
 }
 
@@ -196,10 +187,8 @@ fn shading(models: &Models) -> String {
         row.push(swept.not_finite.to_string());
         row
     };
-    let mut headings = vec!["model", "over"];
-    let laws = Law::ALL.map(|law| format!(">{}", law.title()));
-    headings.extend(laws.iter().map(String::as_str));
-    headings.push(">NaN");
+    let laws = Law::ALL.map(|law| format!(">{}", law.title())).join(" | ");
+    let headings = format!("model | over | {laws} | >NaN");
     table(&headings, models.swept.iter().map(row))
 }
 

@@ -159,14 +159,8 @@ fn what_goes_wrong(films: &Films) -> String {
             );
         }
     }
-    let headings = [
-        "method",
-        "what",
-        ">how much",
-        "where",
-        "what the library does",
-    ];
-    table(&headings, rows as Vec<Vec<String>>)
+    let headings = "method | what | >how much | where | what the library does";
+    table(headings, rows as Vec<Vec<String>>)
 }
 
 fn answer(peer: Peer) -> &'static str {
@@ -190,10 +184,7 @@ fn forced(films: &Films) -> String {
         let refused = format!("{} of {count} stacks", forced.refused);
         vec![format!("`{}`", forced.method), refused, worst]
     });
-    table(
-        &["asked for", ">refused for", ">greatest error where not"],
-        rows,
-    )
+    table("asked for | >refused for | >greatest error where not", rows)
 }
 
 #[test]

@@ -111,13 +111,13 @@ pub fn markdown(cells: &[Cell]) -> String {
 
 fn comparison(summaries: &[Summary]) -> String {
     let levels = Level::all();
-    let names: Vec<String> = levels
+    let names: String = levels
         .iter()
-        .map(|l| format!(">batch, {}", l.name()))
+        .map(|l| format!(">batch, {} | ", l.name()))
         .collect();
-    let mut headings = vec!["method", "setting", ">ns", ">ratio", ">slowest"];
-    headings.extend(names.iter().map(String::as_str));
-    headings.extend([">RMS", ">max", ">mean dE", ">95 % dE", "plan", ">bytes"]);
+    let headings = format!(
+        "method | setting | >ns | >ratio | >slowest | {names}>RMS | >max | >mean dE | >95 % dE | plan | >bytes"
+    );
     let baseline = summaries.iter().find(|s| s.peer == BASELINE);
     let row = |summary: &Summary| {
         let errors = &summary.errors;
@@ -175,9 +175,7 @@ fn by_stack(cells: &[Cell], range: Range) -> String {
     let in_range = || cells.iter().filter(|cell| cell.range == range);
     let mut stacks: Vec<&str> = in_range().map(|cell| cell.stack).collect();
     stacks.dedup();
-    let names: Vec<String> = stacks.iter().map(|stack| format!(">{stack}")).collect();
-    let mut headings = vec!["method", "setting"];
-    headings.extend(names.iter().map(String::as_str));
+    let headings = format!("method | setting | >{}", stacks.join(" | >"));
     let row = |peer: Peer| {
         let mut row = vec![format!("`{}`", peer.name()), peer.setting()];
         row.extend(stacks.iter().map(|stack| {

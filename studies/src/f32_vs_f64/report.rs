@@ -10,19 +10,7 @@ use pellicle::num::Level;
 /// The second number of a cell is the error that this part of all errors does not exceed.
 const PART: f64 = 0.9999;
 
-const HEADINGS: [&str; 11] = [
-    "model and variant",
-    ">elements",
-    "value",
-    "pdf",
-    "weight",
-    "direction",
-    "at the horizon",
-    "reflectance",
-    ">excused",
-    "other lobe",
-    "between levels",
-];
+const HEADINGS: &str = "model and variant | >elements | value | pdf | weight | direction | at the horizon | reflectance | >excused | other lobe | between levels";
 
 pub fn print(settings: &Settings, rows: &[Row]) {
     let levels: Vec<&str> = Level::all().iter().map(|level| level.name()).collect();
@@ -44,7 +32,7 @@ pub fn print(settings: &Settings, rows: &[Row]) {
         cells.extend([row.excused.count.to_string(), switched(row), between(row)]);
         cells
     };
-    print!("{}", table(&HEADINGS, rows.iter().map(cells)));
+    print!("{}", table(HEADINGS, rows.iter().map(cells)));
     println!("\n## Worst elements\n");
     for row in rows {
         for quantity in Quantity::ALL {

@@ -8,31 +8,10 @@ use crate::shared::markdown::table;
 /// The least and the greatest number of the worst films that are listed: those beyond their tolerance, if possible.
 const LISTED: [usize; 2] = [3, 10];
 
-const ERRORS: [&str; 7] = [
-    "tolerance",
-    ">films",
-    ">points",
-    ">exceptions",
-    ">films with exceptions",
-    ">error / tolerance: 99th percentile",
-    ">max",
-];
-const METHODS: [&str; 5] = [
-    "tolerance",
-    "films",
-    "share of each method",
-    ">falling back, all",
-    ">allowed",
-];
-const COSTS: [&str; 7] = [
-    "tolerance",
-    ">KiB: median",
-    ">95th percentile",
-    ">max",
-    ">ms: median",
-    ">95th percentile",
-    ">max",
-];
+const ERRORS: &str = "tolerance | >films | >points | >exceptions | >films with exceptions | >error / tolerance: 99th percentile | >max";
+const METHODS: &str = "tolerance | films | share of each method | >falling back, all | >allowed";
+const COSTS: &str =
+    "tolerance | >KiB: median | >95th percentile | >max | >ms: median | >95th percentile | >max";
 
 pub fn print(settings: &Settings, summaries: &[Summary]) {
     println!("# Films against the reference\n");
@@ -44,9 +23,9 @@ pub fn print(settings: &Settings, summaries: &[Summary]) {
         settings.seed,
         settings.points
     );
-    println!("{}", table(&ERRORS, summaries.iter().map(errors)));
-    println!("{}", table(&METHODS, summaries.iter().flat_map(methods)));
-    print!("{}", table(&COSTS, summaries.iter().map(costs)));
+    println!("{}", table(ERRORS, summaries.iter().map(errors)));
+    println!("{}", table(METHODS, summaries.iter().flat_map(methods)));
+    print!("{}", table(COSTS, summaries.iter().map(costs)));
     for summary in summaries {
         print_worst(settings, summary);
     }

@@ -7,7 +7,7 @@ pub fn print(tally: &Tally) {
     println!("# Random evaluations within their bounds\n");
     let calls = tally.evaluated.iter();
     let calls = calls.map(|(call, elements)| vec![(*call).to_owned(), elements.to_string()]);
-    println!("{}", table(&["call", ">elements"], calls));
+    println!("{}", table("call | >elements", calls));
     let weights = tally.weights.iter().map(|(model, (ratio, place))| {
         let varied = tally.varied.iter().filter(|((of, _), _)| of == model);
         let varied: Vec<String> = varied.map(|((_, name), n)| format!("{name} {n}")).collect();
@@ -20,14 +20,8 @@ pub fn print(tally: &Tally) {
             place.clone(),
         ]
     });
-    let headings = [
-        "model",
-        ">draws",
-        "varied in",
-        ">greatest weight over its bound",
-        "where",
-    ];
-    println!("{}", table(&headings, weights));
+    let headings = "model | >draws | varied in | >greatest weight over its bound | where";
+    println!("{}", table(headings, weights));
     println!(
         "{} elements of {} descriptions, {} failures.",
         tally.total(),

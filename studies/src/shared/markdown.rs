@@ -1,27 +1,17 @@
 //! Tables in Markdown.
 
-use std::fmt::Display;
-
-/// A table. A heading that begins with `>` is of a column of numbers, aligned to the right.
-pub fn table<T: Display>(headings: &[&str], rows: impl IntoIterator<Item = Vec<T>>) -> String {
-    let mut out = String::new();
-    let mut line = |cells: Vec<String>| out += &format!("| {} |\n", cells.join(" | "));
-    line(
-        headings
-            .iter()
-            .map(|h| h.trim_start_matches('>').to_owned())
-            .collect(),
-    );
-    let rule = |heading: &&str| {
-        if heading.starts_with('>') {
-            "---:"
-        } else {
-            "---"
-        }
-    };
-    line(headings.iter().map(|h| rule(h).to_owned()).collect());
-    for row in rows {
-        line(row.iter().map(T::to_string).collect());
-    }
-    out
+/// A table. Headings are divided by `|`; one that begins with `>` is of a column of numbers, aligned to the right.
+pub fn table(headings: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let headings: Vec<&str> = headings.split('|').map(str::trim).collect();
+    let names = headings
+        .iter()
+        .map(|h| h.trim_start_matches('>').to_owned());
+    let rules = headings
+        .iter()
+        .map(|h| if h.starts_with('>') { "---:" } else { "---" });
+    let head = [names.collect(), rules.map(str::to_owned).collect()];
+    let lines = head.into_iter().chain(rows);
+    lines
+        .map(|cells: Vec<String>| format!("| {} |\n", cells.join(" | ")))
+        .collect()
 }
