@@ -315,7 +315,7 @@ fn wrapped(text: &str, most: usize) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use palette::{FromColor, Lab, Srgb};
+    use crate::chart::errors::lab;
 
     #[test]
     fn texts_are_broken_between_words() {
@@ -328,10 +328,11 @@ mod tests {
     /// Printed in grey, a greater error is darker, and by enough to be seen: the lightness L* of CIE 1976.
     #[test]
     fn greater_errors_are_darker() {
+        // The transfer function of sRGB (IEC 61966-2-1) beyond its linear part.
+        let linear = |x: u8| ((f64::from(x) / 255.0 + 0.055) / 1.055).powf(2.4);
         let lightness = |class| {
             let RGBColor(r, g, b) = color(class);
-            let lab: Lab = Lab::from_color(Srgb::new(r, g, b).into_format::<f32>());
-            lab.l
+            lab([r, g, b].map(linear)).l
         };
         let along: Vec<f32> = (0..=BOUNDS.len()).map(lightness).collect();
         assert!(

@@ -1,9 +1,7 @@
 //! The distance of colours from the truth: in linear RGB and as the eye sees it.
 
 use crate::shared::stack::{clipped, clipped_errors};
-use palette::color_difference::Ciede2000;
-use palette::white_point::D65;
-use palette::{FromColor, Lab, LinSrgb};
+use deltae::{DE2000, DeltaE, LabValue};
 
 /// Differences of many colours from the truth, both clipped to [0, 1].
 #[derive(Clone, Debug, Default)]
@@ -61,10 +59,31 @@ impl Errors {
     }
 }
 
-/// CIEDE2000 of two linear Rec.709 colours, white being D65.
+/// CIEDE2000 of two linear Rec.709 colours.
 fn difference(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let [a, b] = [a, b].map(|rgb| Lab::<D65, f64>::from_color(LinSrgb::from(rgb)));
-    a.difference(b)
+    f64::from(*DeltaE::new(lab(a), lab(b), DE2000).value())
+}
+
+/// CIE 1976 L*a*b* of a linear Rec.709 colour (IEC 61966-2-1, table of primaries), white being D65.
+pub fn lab(rgb: [f64; 3]) -> LabValue {
+    const TO_XYZ: [[f64; 3]; 3] = [
+        [0.4124, 0.3576, 0.1805],
+        [0.2126, 0.7152, 0.0722],
+        [0.0193, 0.1192, 0.9505],
+    ];
+    let [x, y, z] = TO_XYZ.map(|[r, g, b]| {
+        let t = (r * rgb[0] + g * rgb[1] + b * rgb[2]) / (r + g + b);
+        if t > 216.0 / 24389.0 {
+            t.cbrt()
+        } else {
+            (t * 24389.0 / 27.0 + 16.0) / 116.0
+        }
+    });
+    LabValue {
+        l: (116.0 * y - 16.0) as f32,
+        a: (500.0 * (x - y)) as f32,
+        b: (200.0 * (y - z)) as f32,
+    }
 }
 
 #[cfg(test)]
@@ -84,9 +103,9 @@ mod tests {
     #[test]
     fn sees_as_the_standard_does() {
         assert!((difference([0.0; 3], [1.0; 3]) - 100.0).abs() < 1e-2);
-        let [a, b] =
-            [(2.6772, -79.7751), (0.0, -82.7485)].map(|(a, b)| Lab::<D65, f64>::new(50.0, a, b));
-        assert!((a.difference(b) - 2.0425).abs() < 1e-4);
+        let lab = |a, b| LabValue { l: 50.0, a, b };
+        let [a, b] = [lab(2.6772, -79.7751), lab(0.0, -82.7485)];
+        assert!((DeltaE::new(a, b, DE2000).value() - 2.0425).abs() < 1e-4);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 mod contest;
 mod environment;
-mod errors;
+pub mod errors;
 mod picture;
 mod report;
 mod suite;
