@@ -25,7 +25,7 @@ enum Truth {
     /// Fresnel's equations for this relative index.
     Fresnel(f64),
     /// The method in double precision.
-    Method(TwoPrecisions),
+    Method(Box<TwoPrecisions>),
     /// Converged wave optics, which is slow: of this many elements the first is compared.
     Reference(usize),
 }
@@ -107,7 +107,9 @@ impl Subject {
             _ => {
                 let kind = all_kinds().into_iter().find(|kind| uses(&film, *kind));
                 let kind = kind.unwrap_or_else(|| panic!("unknown method: {:?}", film.plan()));
-                Truth::Method(TwoPrecisions::new(kind, layer(&description)).unwrap())
+                Truth::Method(Box::new(
+                    TwoPrecisions::new(kind, layer(&description)).unwrap(),
+                ))
             }
         };
         Some(Self {

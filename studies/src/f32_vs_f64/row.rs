@@ -74,14 +74,14 @@ impl Row {
             name: name.to_owned(),
             bounds,
             evaluations: 0,
-            tallies: std::array::from_fn(|_| Tally::new()),
+            tallies: std::array::from_fn(|_| Tally::default()),
             beyond: [0; Quantity::ALL.len()],
-            excused: Tally::new(),
+            excused: Tally::default(),
             samples: 0,
             switched: 0,
             switched_place: None,
             differing: 0,
-            between: Tally::new(),
+            between: Tally::default(),
         }
     }
 

@@ -43,15 +43,17 @@ pub struct Tally {
     pub worst: Option<Worst>,
 }
 
-impl Tally {
-    pub fn new() -> Self {
+impl Default for Tally {
+    fn default() -> Self {
         Self {
             count: 0,
             bins: vec![0; BINS],
             worst: None,
         }
     }
+}
 
+impl Tally {
     /// Adds an error. `place` is called only if it is the worst so far.
     pub fn add(&mut self, error: f64, place: impl FnOnce() -> String) {
         let error = if error.is_nan() { f64::INFINITY } else { error };

@@ -122,11 +122,11 @@ fn errors_are_relative_to_what_is_seen() {
 
 #[test]
 fn tallies_count_and_remember() {
-    let mut tally = Tally::new();
+    let mut tally = Tally::default();
     for i in 1..=9999 {
         tally.add(1e-6 * f64::from(i) / 9999.0, || format!("{i}"));
     }
-    let mut other = Tally::new();
+    let mut other = Tally::default();
     other.add(1.0, || "worst".into());
     tally.merge(other);
     assert_eq!((tally.count, tally.greatest()), (10_000, 1.0));

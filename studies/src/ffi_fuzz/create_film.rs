@@ -31,6 +31,8 @@ const FAILURES: [PellicleStatus; 5] = [
 struct Memory {
     texts: Texts,
     tables: Vec<[Vec<f32>; 3]>,
+    /// Boxes, because descriptions point to them while the vector grows.
+    #[expect(clippy::vec_box)]
     media: Vec<Box<PellicleMedium>>,
 }
 
@@ -139,7 +141,6 @@ fn medium(bytes: &mut Bytes, memory: &mut Memory) -> *const PellicleMedium {
         medium.table_count = count;
         memory.tables.push(table);
     }
-    // A box, because descriptions point to it.
     memory.media.push(Box::new(medium));
     &*memory.media[memory.media.len() - 1]
 }

@@ -79,12 +79,7 @@ pub fn dashed(
     style: impl Into<ShapeStyle>,
 ) -> Result<(), Failure> {
     let style = style.into();
-    area.draw(&DashedPathElement::new(
-        points.into_iter(),
-        length,
-        length,
-        style,
-    ))
+    area.draw(&DashedPathElement::new(points, length, length, style))
 }
 
 /// Standing on a corner, which is that far from the middle.
