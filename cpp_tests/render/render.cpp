@@ -69,8 +69,9 @@ private:
             const V2f u = sampler.next2d();
             const V2f raster(static_cast<float>(pixel.x) + tent(u.x),
                              static_cast<float>(pixel.y) + tent(u.y));
+            const V2f lens = camera_.hasLens() ? sampler.next2d() : V2f(0);
             FirstHit firstHit;
-            sum.radiance += radiance(camera_.ray(raster, {settings_.width, settings_.height}), world_,
+            sum.radiance += radiance(camera_.ray(raster, {settings_.width, settings_.height}, lens), world_,
                                      environment_, settings_.path, sampler, firstHit);
             sum.normal += firstHit.normal;
             sum.distance += firstHit.distance;

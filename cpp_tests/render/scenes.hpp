@@ -25,17 +25,20 @@ struct Scene {
     Labels labels{};
 };
 
-/// The paper's figures.
-const std::vector<Scene> &scenes();
-
-/// Surfaces with real thin films.
-const std::vector<Scene> &filmScenes();
-
 /// Scenes that are shown together, in as many columns; their pictures have one shape.
 struct Chapter {
     int columns;
     std::vector<Scene> scenes;
 };
+
+/// The picture of the first page.
+Chapter heroChapter();
+
+/// The paper's figures.
+const std::vector<Scene> &scenes();
+
+/// Surfaces with real thin films.
+const std::vector<Scene> &filmScenes();
 
 /// Rough surfaces: grids of spheres, and rows of them.
 std::vector<Chapter> microfacetChapters();
