@@ -22,8 +22,6 @@ public:
         up_ = cross(right_, forward_);
     }
 
-    bool hasLens() const { return lensRadius_ > 0; }
-
     /// `raster`: pixels, from the upper left corner. `lens`: two uniform numbers that choose a point of the
     /// lens (M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 4th edition, section 5.2.3);
     /// the centre is (0, 0).

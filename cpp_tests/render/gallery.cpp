@@ -159,7 +159,8 @@ private:
                 renderPicture(*view.world, environmentOf(scene.lighting), view.camera, settings,
                               [&](int done) { progress.advance(static_cast<double>(done) * scene.effort); });
             writeExr(picture, options_.out / (name + ".exr"));
-            shown.push_back(display(picture, scene.exposure));
+            shown.push_back(scene.lighting == Lighting::evening ? photograph(picture, scene.exposure)
+                                                                : display(picture, scene.exposure));
             writePng(shown.back(), options_.out / (name + ".png"));
             ++written_;
         }

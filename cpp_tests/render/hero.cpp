@@ -49,17 +49,20 @@ SharedMaterial satin(const Stack &stack, float alpha, float thicknessMax, Patter
         std::vector<VaryingParameter>{{"thickness_nm", 0, thicknessMax, std::move(thickness)}});
 }
 
-/// Shows both sides. From 0 nm a film on glass has no table, and is looked up a hundred times as slowly.
-SharedMaterial transparent(const Stack &stack, float thicknessMin, float thicknessMax, Pattern thickness) {
-    const pellicle::Film film = pellicle::FilmBuilder(stack.base)
-                                    .layer(stack.layer, thicknessMin, thicknessMax)
+/// Reflects and transmits, from both sides.
+SharedMaterial transparent(pellicle::Medium layer, pellicle::Medium base, float thicknessMax, Pattern thickness) {
+    const pellicle::Film film = pellicle::FilmBuilder(std::move(base))
+                                    .layer(std::move(layer), 0, thicknessMax)
                                     .white("D65")
                                     .transmittance()
                                     .create();
     return std::make_shared<Material>(
         pellicle::BsdfBuilder("film").film(film),
-        std::vector<VaryingParameter>{{"thickness_nm", thicknessMin, thicknessMax, std::move(thickness)}});
+        std::vector<VaryingParameter>{{"thickness_nm", 0, thicknessMax, std::move(thickness)}});
 }
+
+/// N-BK7 at 587.6 nm (Schott's data sheet). Without dispersion the film has a table for light from inside too.
+pellicle::Medium glass() { return pellicle::Medium::constant(1.5168f); }
 
 // Anodised titanium: the oxide grows with the voltage, from gold at the foot to green at the neck.
 
@@ -141,7 +144,7 @@ void addCameraLens(World &world, const V3f &front, float degrees) {
                 {0.715f, 0.0f}, {0.70f, 0.02f}, {0.67f, 0.02f}, {0.65f, 0.0f}, {0.64f, -0.06f}}),
         black(0.025f, 0.36f));
     // The focus ring is knurled.
-    add(gridMesh({1440, 40, true, false},
+    add(gridMesh({720, 24, true, false},
                  [](float u, float v) {
                      const float edge = smoothstep(0, 0.06f, v) * smoothstep(0, 0.06f, 1 - v);
                      const float groove = smoothstep(-0.5f, 0.5f, std::sin(2 * pi * 90 * u));
@@ -151,17 +154,16 @@ void addCameraLens(World &world, const V3f &front, float degrees) {
         black(0.03f, 0.5f));
     add(turned({{0.645f, -0.03f}, {0.60f, -0.16f}, {0.585f, -0.3f}, {0.5f, -0.5f}, {0.4f, -0.8f}, {0.2f, -0.95f},
                 {0.0f, -0.96f}}),
-        black(0.008f, 0.7f));
+        std::make_shared<Material>(pellicle::BsdfBuilder("lambert").set("reflectance", 0.002f)));
     const V3f axis(std::sin(radians(degrees)), 0, std::cos(radians(degrees)));
     world.add(share(ring(front - axis * 0.33f, axis, 0.698f, 0.022f)), metal("Au", 0.1f));
 
     struct Element {
         float aperture, curvature, place, thickness;
     };
-    for (const Element &element : {Element{0.60f, 0.95f, -0.22f, 82}, Element{0.47f, 0.8f, -0.52f, 100},
-                                   Element{0.33f, 0.6f, -0.74f, 128}}) {
+    for (const Element &element : {Element{0.60f, 0.95f, -0.22f, 84}, Element{0.42f, 0.62f, -0.60f, 125}}) {
         add(moved(lens(element.aperture, element.curvature, 0.05f), V3f(0, element.place, 0)),
-            transparent(coatedGlass(), 70, 140, byPlace([=](const V3f &) { return element.thickness; })));
+            transparent("MgF2", glass(), 140, byPlace([=](const V3f &) { return element.thickness; })));
     }
 }
 
@@ -171,7 +173,7 @@ SharedMaterial slate() {
     return std::make_shared<Material>(
         pellicle::BsdfBuilder("metallic_roughness").set("base_color", {0.012f, 0.013f, 0.015f}),
         std::vector<VaryingParameter>{{"roughness", 0, 1, byPlace([](const V3f &place) {
-            return lerp(0.16f, 0.30f, noise(place * 1.7f + V3f(4.2f), 4));
+            return lerp(0.10f, 0.24f, noise(place * 1.7f + V3f(4.2f), 4));
         })}});
 }
 
@@ -198,7 +200,7 @@ std::vector<View> heroView(const Subject &) {
                    return lerp(74, 15, std::clamp(heat + uneven, 0.0f, 1.0f));
                })));
 
-    const SharedMaterial soapWall = transparent(soap(), 0, 900, byPlace([](const V3f &place) {
+    const SharedMaterial soapWall = transparent("water", pellicle::Medium::constant(1), 900, byPlace([](const V3f &place) {
         const V3f stirred = place * 1.15f + V3f(noise(place * 0.9f + V3f(7), 2), 0, noise(place * 0.9f + V3f(3), 2)) * 1.1f;
         const float swirl = noise(V3f(stirred.x, 2.4f * stirred.y, stirred.z), 4);
         return std::clamp(lerp(560, 110, (place.y + 1) / 2) + 380 * (swirl - 0.5f), 10.0f, 890.0f);
@@ -210,7 +212,7 @@ std::vector<View> heroView(const Subject &) {
     addCameraLens(*world, V3f(2.05f, 0.73f, -0.15f), -27);
 
     world->add(Sphere{V3f(-0.95f, 0.34f, 1.35f), 0.34f},
-               transparent({"", "", "TiO2", "BK7", 0}, 100, 320, byPlace([](const V3f &place) {
+               transparent("TiO2", glass(), 320, byPlace([](const V3f &place) {
                    return lerp(120, 300, (place.y + 1) / 2);
                })));
 
@@ -221,10 +223,10 @@ std::vector<View> heroView(const Subject &) {
             .set("exponent_reflection", 400)
             .set("exponent_transmission", 60)
             .set("base", {0.92f, 0.89f, 0.86f})
-            .set("specular_weight", 0.3f)
-            .set("diffuse_weight", 0.7f),
-        std::vector<VaryingParameter>{{"thickness_nm", 150, 420, noiseBetween(230, 330, NoiseField{0.8f, 2})}});
-    for (const V3f &at : {V3f(1.05f, 0.2f, 1.75f), V3f(1.42f, 0.14f, 2.05f), V3f(0.72f, 0.11f, 2.15f)})
+            .set("specular_weight", 0.22f)
+            .set("diffuse_weight", 0.78f),
+        std::vector<VaryingParameter>{{"thickness_nm", 150, 420, noiseBetween(255, 320, NoiseField{0.7f, 2})}});
+    for (const V3f &at : {V3f(1.05f, 0.2f, 1.7f), V3f(1.42f, 0.14f, 1.95f), V3f(0.74f, 0.11f, 2.0f)})
         world->add(Sphere{at, at.y}, pearl);
 
     world->add(share(puddle(V3f(-0.3f, 0.002f, 1.5f), 3.4f, 1.9f, 2.3f)),
@@ -238,14 +240,14 @@ std::vector<View> heroView(const Subject &) {
     world->commit();
     std::vector<View> views;
     views.push_back({"evening", std::move(world),
-                     Camera(V3f(0.1f, 2.45f, 7.4f), V3f(0.1f, 0.93f, 0), 25.5f, 0.035f, 7.3f)});
+                     Camera(V3f(0.1f, 2.45f, 7.4f), V3f(0.1f, 0.92f, 0), 26.3f, 0.035f, 7.3f)});
     return views;
 }
 
 } // namespace
 
 Chapter heroChapter() {
-    return {1, {{"hero", "Thin films", {{V2f(5, 2.8125f)}, heroView}, 0, Lighting::evening, 1, 16}}};
+    return {1, {{"hero", "Thin films", {{V2f(5, 2.8125f)}, heroView}, 0.7f, Lighting::evening, 1, 16}}};
 }
 
 } // namespace render

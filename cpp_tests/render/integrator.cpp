@@ -104,18 +104,13 @@ LobeChoice chooseLobe(const Shading &shading, float u) {
 
 bool isBlack(const Rgb &c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
-/// Light from the environment, by `count` samples of it. They are one random point shifted along the
-/// R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), so that
-/// they are spread evenly whatever their number.
+/// Light from the environment, by `count` samples of it.
 Rgb sampleLight(const Shading &shading, const World &world, const Environment &environment,
-                Technique technique, const V2f &u, int count) {
+                Technique technique, const Sampler::Points &uniforms, int count) {
     const SurfacePoint &point = shading.point();
     Rgb sum(0);
     for (int i = 0; i < count; ++i) {
-        const float shift = static_cast<float>(i);
-        const V2f shifted(u.x + 0.7548777f * shift, u.y + 0.5698403f * shift);
-        const Environment::Sample light =
-            environment.sample({shifted.x - std::floor(shifted.x), shifted.y - std::floor(shifted.y)});
+        const Environment::Sample light = environment.sample(uniforms.at2d(i));
         if (light.pdf == 0) continue;
         const Shading::Scattering scattering = shading.eval(light.direction);
         if (isBlack(scattering.value)) continue;
@@ -165,15 +160,16 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
 
         lightSamples = inMirrors ? settings.lightSamples : 1;
         if (!shading.onlyDirac()) {
-            const V2f lightUniforms = sampler.next2d();
+            const Sampler::Points uniforms = sampler.next(lightSamples);
             if (settings.technique != Technique::bsdf)
                 sum += limited(throughput * sampleLight(shading, world, environment, settings.technique,
-                                                        lightUniforms, lightSamples),
+                                                        uniforms, lightSamples),
                                reflections);
         }
 
-        const LobeChoice lobe = chooseLobe(shading, sampler.next1d());
-        const Shading::Sample next = shading.sample(lobe.u, sampler.next2d());
+        const Sampler::Numbers numbers = sampler.next();
+        const LobeChoice lobe = chooseLobe(shading, numbers[2]);
+        const Shading::Sample next = shading.sample(lobe.u, {numbers[0], numbers[1]});
         throughput *= next.weight * lobe.weight;
         bsdfPdf = next.dirac ? 0 : next.pdf;
         inMirrors = inMirrors && next.dirac;
@@ -190,7 +186,7 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
             continue;
         }
         const float survival = std::clamp(maxComponent(throughput) / atFirst, 0.5f, 0.95f);
-        if (sampler.next1d() >= survival) return sum;
+        if (numbers[3] >= survival) return sum;
         throughput *= 1 / survival;
     }
 }

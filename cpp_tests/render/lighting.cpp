@@ -3,8 +3,7 @@
 #include "landscape.hpp"
 #include "studio.hpp"
 
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
 #include <stdexcept>
 
 namespace render {
@@ -25,24 +24,22 @@ CubeMap writtenAndRead(const CubeMap &map, const std::string &prefix) {
 
 namespace {
 
+/// A photograph of a quay at sunset (G. Zaal, CC0), turned so that the sun is behind the camera on the right, and
+/// what a photographer adds: soft boxes at both sides, above the camera and above the picture's upper edge, where
+/// wet ground reflects it. The sun is dimmed to a soft one.
 LatLongMap evening() {
-    const char *e = std::getenv("HERO_ENV"), *r = std::getenv("HERO_TURN"), *c = std::getenv("HERO_CLAMP"), *g = std::getenv("HERO_GAIN");
-    LatLongMap map = readLatLongMap(std::string("/usr/share/blender/datafiles/studiolights/world/") + (e ? e : "sunset") + ".exr");
-    const int turn = int(std::lround((r ? std::atof(r) : 0) / 360 * map.width));
-    LatLongMap result = map;
-    const float limit = c ? std::atof(c) : 60, gain = g ? std::atof(g) : 1;
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x) {
-            Rgb t = map.texels[y * map.width + (x + turn + map.width) % map.width];
-            const float m = maxComponent(t);
-            if (m > limit) t *= limit / m;
-            const std::vector<SoftBox> boxes{
-                {-68, 22, 16, 60, 0, Rgb(3.2f, 3.1f, 3.0f)}, {66, 24, 12, 56, 0, Rgb(2.6f, 2.8f, 3.2f)},
-                {-150, 58, 60, 26, 0, Rgb(1.6f, 1.6f, 1.6f)}, {0, 27, 70, 30, 0, Rgb(2.5f, 2.5f, 2.6f)}};
-            const V3f d = latLongDirection((x + 0.5f) / map.width, std::cos(pi * (y + 0.5f) / map.height));
-            result.texels[y * map.width + x] = t * gain + (std::getenv("NOBOX") ? Rgb(0) : lightOf(boxes, d));
-        }
-    return result;
+    constexpr float turn = 205, brightest = 14;
+    const std::vector<SoftBox> boxes{{-68, 22, 16, 60, 0, Rgb(3.2f, 3.1f, 3.0f)},
+                                     {66, 24, 12, 56, 0, Rgb(2.6f, 2.8f, 3.2f)},
+                                     {-150, 58, 60, 26, 0, Rgb(1.6f, 1.6f, 1.6f)},
+                                     {0, 36, 90, 38, 0, Rgb(2.6f, 2.6f, 2.7f)}};
+    const LatLongLight photograph(readLatLongMap(PELLICLE_RENDER_PANORAMA));
+    return drawLatLong(512, [&](const V3f &direction) {
+        const float c = std::cos(radians(turn)), s = std::sin(radians(turn));
+        Rgb light = photograph.radiance(V3f(c * direction.x - s * direction.z, direction.y, s * direction.x + c * direction.z));
+        light *= std::min(1.0f, brightest / std::max(maxComponent(light), 1e-6f));
+        return light + lightOf(boxes, direction);
+    });
 }
 
 } // namespace

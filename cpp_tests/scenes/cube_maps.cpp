@@ -119,11 +119,11 @@ TEST_CASE("samples have the density that pdf() tells, which integrates to 1, and
     map.faces[2][5 * 16 + 15] = Rgb(300, 200, 100); // on an edge
     const Environment environment(map);
     constexpr int samples = 1 << 14;
-    Sampler sampler({1, 1}, samples, 1);
+    Sampler sampler(samples, 1);
     double one = 0, light = 0;
     for (int i = 0; i < samples; ++i) {
         sampler.start({0, 0}, i);
-        const Environment::Sample sample = environment.sample(sampler.next2d());
+        const Environment::Sample sample = environment.sample(sampler.next(1).at2d(0));
         REQUIRE(sample.pdf > 0);
         REQUIRE(environment.pdf(sample.direction) == doctest::Approx(sample.pdf).epsilon(2e-3));
         REQUIRE(difference(environment.radiance(sample.direction), sample.radiance) <
