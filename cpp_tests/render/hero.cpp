@@ -239,7 +239,7 @@ std::vector<View> heroView(const Subject &) {
 
     world->commit();
     std::vector<View> views;
-    views.push_back({"evening", std::move(world),
+    views.push_back({"", std::move(world),
                      Camera(V3f(0.1f, 2.45f, 7.4f), V3f(0.1f, 0.92f, 0), 26.3f, 0.035f, 7.3f)});
     return views;
 }
@@ -247,7 +247,7 @@ std::vector<View> heroView(const Subject &) {
 } // namespace
 
 Chapter heroChapter() {
-    return {1, {{"hero", "Thin films", {{V2f(5, 2.8125f)}, heroView}, 0.7f, Lighting::evening, 1, 16}}};
+    return {"hero", 1, {{"hero", "Thin films", {{V2f(5, 2.8125f)}, heroView}, 0.7f, Lighting::evening, 4, 16, true}}};
 }
 
 } // namespace render

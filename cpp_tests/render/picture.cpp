@@ -64,6 +64,13 @@ OIIO::ImageBuf photograph(const Picture &picture, float exposure) {
     return display(toned, 0);
 }
 
+void writeJpeg(const OIIO::ImageBuf &image, const std::filesystem::path &file) {
+    OIIO::ImageBuf compressed = image;
+    compressed.specmod().attribute("compression", "jpeg:90");
+    compressed.specmod().attribute("jpeg:subsampling", "4:4:4");
+    write(compressed, file, OIIO::TypeUInt8);
+}
+
 void writePng(const OIIO::ImageBuf &image, const std::filesystem::path &file) {
     OIIO::ImageBuf dithered = image;
     dithered.specmod().attribute("oiio:dither", 1);

@@ -38,6 +38,9 @@ OIIO::ImageBuf display(const Picture &picture, float exposure);
 /// Mapper (Khronos Group, 2024), of a linear image times 2^`exposure`; then sRGB. For photographs of real light.
 OIIO::ImageBuf photograph(const Picture &picture, float exposure);
 
+/// 8 bits, for pages.
+void writeJpeg(const OIIO::ImageBuf &image, const std::filesystem::path &file);
+
 /// 8 bits, dithered.
 void writePng(const OIIO::ImageBuf &image, const std::filesystem::path &file);
 

@@ -22,11 +22,13 @@ struct Scene {
     Lighting lighting = Lighting::studio;
     float effort = 1; ///< how many times as many samples: for light that is chosen rarely
     int maxBounces = 5;
+    bool photograph = false; ///< shown with a tone curve; otherwise nothing is but clipped
     Labels labels{};
 };
 
 /// Scenes that are shown together, in as many columns; their pictures have one shape.
 struct Chapter {
+    std::string name; ///< of its sheet's file
     int columns;
     std::vector<Scene> scenes;
 };

@@ -141,11 +141,13 @@ std::vector<View> mirrors(const Subject &mesh) {
 std::vector<Chapter> textureChapters() {
     const std::vector<V2f> pair{V2f(1), V2f(1)}, rows{V2f(3, 0.75f), V2f(3, 0.75f)};
     return {
-        {1,
+        {"phong",
+         1,
          // Phong's light is reflected once.
-         {{"phong-terms", "Phong's model and its terms", {rows, phongTerms}, 0, Lighting::lamp, 1, 1,
+         {{"phong-terms", "Phong's model and its terms", {rows, phongTerms}, 0, Lighting::lamp, 1, 1, false,
            {{"ambient", "diffuse", "specular", "their sum"}, {}}}}},
-        {3,
+        {"textures",
+         3,
          {{"textures", "Image textures\nbase colour, normal, roughness, metallic", {pair, texturedObjects},
            -0.8f, Lighting::landscape, 2, 4},
           {"environment-lat-long", "Environment mapping: silver\nlatitude-longitude map", {pair, mirrors},
