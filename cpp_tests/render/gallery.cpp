@@ -1,6 +1,7 @@
 #include "gallery.hpp"
 
 #include "chart.hpp"
+#include "cube_map.hpp"
 #include "progress.hpp"
 #include "render.hpp"
 #include "scenes.hpp"
@@ -107,7 +108,7 @@ public:
           choice_(choose(options)),
           subject_(readSubject(options.mesh, options.out / mapsDirectory)) {
         if (!options.environment.empty()) given_.emplace(readLatLongMap(options.environment));
-        if (!options.cubeMap.empty()) given_.emplace(readCubeMap(options.cubeMap));
+        if (!options.cubeMap.empty()) given_.emplace(unrolled(readCubeMap(options.cubeMap)));
         makeDirectory(options.out);
     }
 

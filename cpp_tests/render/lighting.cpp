@@ -1,5 +1,6 @@
 #include "lighting.hpp"
 
+#include "cube_map.hpp"
 #include "landscape.hpp"
 #include "studio.hpp"
 
@@ -45,8 +46,7 @@ LatLongMap evening() {
 } // namespace
 
 Environment environmentOf(Lighting lighting, const std::filesystem::path &directory) {
-    // Both maps have about as many texels.
-    constexpr int latLongHeight = 1024, cubeSize = 600;
+    constexpr int latLongHeight = 1024, cubeSize = 256;
     switch (lighting) {
     case Lighting::evening: return Environment(evening());
     case Lighting::studio: return Environment(studio());
@@ -64,7 +64,7 @@ Environment environmentOf(Lighting lighting, const std::filesystem::path &direct
     case Lighting::landscapeCube:
         makeDirectory(directory);
         return Environment(
-            writtenAndRead(drawCube(cubeSize, Landscape()), (directory / "landscape.").string()));
+            unrolled(writtenAndRead(drawCube(cubeSize, Landscape()), (directory / "landscape.").string())));
     }
     throw std::logic_error("an unknown lighting");
 }
