@@ -64,7 +64,7 @@ SharedMaterial transparent(pellicle::Medium layer, pellicle::Medium base, float 
 /// N-BK7 at 587.6 nm (Schott's data sheet). Without dispersion the film has a table for light from inside too.
 pellicle::Medium glass() { return pellicle::Medium::constant(1.5168f); }
 
-// Anodised titanium: the oxide grows with the voltage, from gold at the foot to green at the neck.
+// Anodised titanium: the oxide grows with the voltage, from gold at the foot to pink at the lip.
 
 Mesh vase() {
     return turned({{0.0f, 0.02f}, {0.2f, 0.0f}, {0.34f, 0.0f}, {0.40f, 0.06f}, {0.56f, 0.28f}, {0.68f, 0.58f},
