@@ -29,7 +29,7 @@ struct FirstLook {
     const char *chapter;
     int size, samplesPerPixel;
 };
-constexpr FirstLook firstLook[] = {{"hero", 128, 32}, {"paper", 192, 16}};
+constexpr FirstLook firstLook[] = {{"hero", 128, 16}, {"paper", 192, 16}};
 
 void list(const std::string &name, std::string caption) {
     for (std::size_t i; (i = caption.find('\n')) != std::string::npos;)

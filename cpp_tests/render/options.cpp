@@ -25,7 +25,7 @@ Options parseCommandLine(int argc, char **argv) {
     CLI::App app{"Renders pellicle's gallery. Without arguments a first look: a small hero and the paper's figures 2-5."};
     app.add_flag("--list", options.list, "List the scenes and end");
     CLI::Option *all = app.add_flag("--all", options.all,
-                                    "Render the whole gallery and the hero in full size; takes about half an hour");
+                                    "Render the whole gallery and the hero in full size, which takes long");
     app.add_option("--scene", options.scenes, "Render only this scene, in full size; may be repeated")->excludes(all);
     app.add_option("--quality", quality,
                    "draft, normal or high, which takes ten times as long: sets --size and --spp")
