@@ -24,10 +24,12 @@ pub unsafe extern "C" fn pellicle_film_reflectance(
     thickness_nm: f32,
     rgb: *mut f32,
 ) -> PellicleStatus {
+    // Tested before the guard, in which the two numbers would move from their registers to memory: a tenth of
+    // the call's time.
+    if film.is_null() || rgb.is_null() {
+        return guard_status(|| refuse_null(if film.is_null() { "film" } else { "rgb" }));
+    }
     guard_status(|| {
-        if film.is_null() || rgb.is_null() {
-            return refuse_null(if film.is_null() { "film" } else { "rgb" });
-        }
         // SAFETY: not NULL; the caller vouches for the handle and for 3 numbers.
         unsafe {
             let film = &(*film.cast::<FilmHandle>()).film;
