@@ -1,7 +1,7 @@
 //! Chunks of a batch: elements of strided arrays as columns, in place or in copies.
 
 use super::view::{ConstView, View};
-use crate::num::{Columns, ColumnsMut, Level};
+use crate::num::{ColumnMut, Columns, ColumnsMut, Level};
 use std::mem::MaybeUninit;
 
 /// The most elements that are worked on at once: their numbers stay in the nearest cache.
@@ -174,35 +174,62 @@ impl Chunk {
         }
     }
 
-    /// Slices for a view's components; [`Chunk::write`] writes them to the view.
+    /// A column for a view with one component; [`Chunk::write`] writes it to the view.
     ///
     /// # Safety
     /// As for [`Chunk::columns_mut`].
-    pub unsafe fn targets<'a, T: Copy + Default, const N: usize>(
+    pub unsafe fn column_mut<'a, T: Copy + Default>(
         &self,
         view: &View<T>,
-        room: &'a mut [Column<T>; N],
-    ) -> [&'a mut [T]; N] {
-        if self.is_in_place(view, N) {
+        room: &'a mut [Column<T>; 1],
+    ) -> ColumnMut<'a, T> {
+        if self.is_in_place(view, 1) {
             // SAFETY: contiguous and aligned; the caller vouches for the rest.
-            return std::array::from_fn(|c| unsafe {
-                std::slice::from_raw_parts_mut(view.address(self.first, c), self.count)
-            });
+            return unsafe { ColumnMut::new(view.address(self.first, 0), self.count) };
         }
-        room.each_mut().map(|column| column.zeros(self.padded()))
+        ColumnMut::of_slice(room[0].zeros(self.padded()))
+    }
+
+    /// A column that is never in place, so that it can be read afterwards.
+    pub fn scratch<'a>(&self, room: &'a mut [Column<f32>; 1]) -> ColumnMut<'a, f32> {
+        ColumnMut::of_slice(room[0].zeros(self.padded()))
+    }
+
+    /// The numbers of a room that [`Chunk::scratch`] prepared.
+    ///
+    /// # Safety
+    /// It must have been prepared for this chunk.
+    pub unsafe fn numbers<'a>(&self, room: &'a [Column<f32>; 1]) -> &'a [f32] {
+        // SAFETY: the caller vouches for it.
+        unsafe { room[0].numbers(self.count) }
     }
 
     /// Writes to the view what lies in copies.
     ///
     /// # Safety
     /// All must be writable, and the room must have been prepared by [`Chunk::columns_mut`] or
-    /// [`Chunk::targets`].
+    /// [`Chunk::column_mut`].
     pub unsafe fn write<T: Copy + Default, const N: usize>(
         &self,
         view: &View<T>,
         room: &[Column<T>; N],
     ) {
-        if view.data.is_null() || self.is_in_place(view, N) {
+        if !self.is_in_place(view, N) {
+            // SAFETY: the caller's promise.
+            unsafe { self.copy_out(view, room) };
+        }
+    }
+
+    /// Writes copies to the view, if it is wanted.
+    ///
+    /// # Safety
+    /// As for [`Chunk::write`].
+    pub unsafe fn copy_out<T: Copy + Default, const N: usize>(
+        &self,
+        view: &View<T>,
+        room: &[Column<T>; N],
+    ) {
+        if view.data.is_null() {
             return;
         }
         // SAFETY: the caller vouches for it; the room was set to 0 at first.

@@ -1,8 +1,11 @@
 //! Vectors of many elements, one column of numbers for each component.
+//!
+//! What is written is raw memory: no reference to numbers that may not be initialised is ever made.
 
 #![allow(unsafe_code)]
 
-use super::Lane;
+use super::lanes::MAX_LANES;
+use super::{Lane, Real};
 use std::marker::PhantomData;
 
 /// Three columns to read: component c of element i is `c * stride + i` numbers from the start.
@@ -83,6 +86,17 @@ impl<'a, T> ColumnsMut<'a, T> {
         }
     }
 
+    /// Three columns one after another.
+    pub fn of_slice(numbers: &'a mut [T]) -> Self {
+        let count = numbers.len() / 3;
+        Self {
+            start: numbers.as_mut_ptr(),
+            stride: count as isize,
+            count,
+            lifetime: PhantomData,
+        }
+    }
+
     /// `count` elements from an aligned address on.
     ///
     /// # Safety
@@ -103,14 +117,79 @@ impl<'a, T> ColumnsMut<'a, T> {
     #[inline(always)]
     pub fn store<L: Lane<Scalar = T>>(&mut self, from: usize, [x, y, z]: [L; 3]) {
         check(from, L::COUNT, self.count);
-        // SAFETY: within the columns, for which the constructor vouches; one column at a time.
-        let column = |c: isize| unsafe {
-            std::slice::from_raw_parts_mut(self.start.offset(c * self.stride).add(from), L::COUNT)
-        };
-        x.store(column(0));
-        y.store(column(1));
-        z.store(column(2));
+        // SAFETY: within the columns, for which the constructor vouches.
+        unsafe {
+            write(self.start.add(from), x);
+            write(self.start.offset(self.stride).add(from), y);
+            write(self.start.offset(2 * self.stride).add(from), z);
+        }
     }
+}
+
+/// A column of numbers to write.
+#[derive(Debug)]
+pub struct ColumnMut<'a, T> {
+    start: *mut T,
+    count: usize,
+    lifetime: PhantomData<&'a mut [T]>,
+}
+
+impl<'a, T: Copy> ColumnMut<'a, T> {
+    /// The numbers of a slice.
+    #[inline(always)]
+    pub fn of_slice(numbers: &'a mut [T]) -> Self {
+        Self {
+            start: numbers.as_mut_ptr(),
+            count: numbers.len(),
+            lifetime: PhantomData,
+        }
+    }
+
+    /// `count` numbers from an aligned address on.
+    ///
+    /// # Safety
+    /// All must be writable and used by nobody else for the lifetime.
+    pub unsafe fn new(start: *mut T, count: usize) -> Self {
+        Self {
+            start,
+            count,
+            lifetime: PhantomData,
+        }
+    }
+
+    /// Writes one number.
+    ///
+    /// # Panics
+    /// If there are fewer.
+    #[inline(always)]
+    pub fn set(&mut self, element: usize, number: T) {
+        check(element, 1, self.count);
+        // SAFETY: within the column, for which the constructor vouches.
+        unsafe { self.start.add(element).write(number) };
+    }
+
+    /// Writes the numbers of `L::COUNT` elements from one on.
+    ///
+    /// # Panics
+    /// If there are fewer.
+    #[inline(always)]
+    pub fn store<L: Lane<Scalar = T>>(&mut self, from: usize, numbers: L) {
+        check(from, L::COUNT, self.count);
+        // SAFETY: within the column, for which the constructor vouches.
+        unsafe { write(self.start.add(from), numbers) };
+    }
+}
+
+/// Writes `L::COUNT` numbers.
+///
+/// # Safety
+/// They must be writable.
+#[inline(always)]
+unsafe fn write<L: Lane>(target: *mut L::Scalar, numbers: L) {
+    let mut copy = [L::Scalar::new(0.0); MAX_LANES];
+    numbers.store(&mut copy[..L::COUNT]);
+    // SAFETY: the caller vouches for the target; no lane type is wider than the copy.
+    unsafe { target.copy_from_nonoverlapping(copy.as_ptr(), L::COUNT) };
 }
 
 #[inline(always)]
