@@ -4,8 +4,7 @@
 
 #![allow(unsafe_code)]
 
-use super::lanes::MAX_LANES;
-use super::{Lane, Real};
+use super::Lane;
 use std::marker::PhantomData;
 
 /// Three columns to read: component c of element i is `c * stride + i` numbers from the start.
@@ -119,9 +118,9 @@ impl<'a, T> ColumnsMut<'a, T> {
         check(from, L::COUNT, self.count);
         // SAFETY: within the columns, for which the constructor vouches.
         unsafe {
-            write(self.start.add(from), x);
-            write(self.start.offset(self.stride).add(from), y);
-            write(self.start.offset(2 * self.stride).add(from), z);
+            x.write(self.start.add(from));
+            y.write(self.start.offset(self.stride).add(from));
+            z.write(self.start.offset(2 * self.stride).add(from));
         }
     }
 }
@@ -176,20 +175,8 @@ impl<'a, T: Copy> ColumnMut<'a, T> {
     pub fn store<L: Lane<Scalar = T>>(&mut self, from: usize, numbers: L) {
         check(from, L::COUNT, self.count);
         // SAFETY: within the column, for which the constructor vouches.
-        unsafe { write(self.start.add(from), numbers) };
+        unsafe { numbers.write(self.start.add(from)) };
     }
-}
-
-/// Writes `L::COUNT` numbers.
-///
-/// # Safety
-/// They must be writable.
-#[inline(always)]
-unsafe fn write<L: Lane>(target: *mut L::Scalar, numbers: L) {
-    let mut copy = [L::Scalar::new(0.0); MAX_LANES];
-    numbers.store(&mut copy[..L::COUNT]);
-    // SAFETY: the caller vouches for the target; no lane type is wider than the copy.
-    unsafe { target.copy_from_nonoverlapping(copy.as_ptr(), L::COUNT) };
 }
 
 #[inline(always)]

@@ -26,6 +26,12 @@ pub trait Lane: Real {
     fn load(numbers: &[Self::Scalar]) -> Self;
     /// Into a slice of [`Lane::COUNT`].
     fn store(self, numbers: &mut [Self::Scalar]);
+    /// Writes [`Lane::COUNT`] numbers to memory that may not be initialised.
+    ///
+    /// # Safety
+    /// They must be writable; any alignment.
+    #[allow(unsafe_code)]
+    unsafe fn write(self, target: *mut Self::Scalar);
     /// Red, green and blue.
     fn rgb(channels: [Self; 3]) -> Self::Rgb;
     /// The same in every channel.
@@ -104,6 +110,12 @@ macro_rules! scalar_methods {
         #[inline(always)]
         fn store(self, numbers: &mut [Self]) {
             numbers[0] = self;
+        }
+        #[inline(always)]
+        #[allow(unsafe_code)]
+        unsafe fn write(self, target: *mut Self) {
+            // SAFETY: the caller vouches for it.
+            unsafe { target.write_unaligned(self) }
         }
         #[inline(always)]
         fn splat_rgb(rgb: Self::Rgb) -> Self::Rgb {

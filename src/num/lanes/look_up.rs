@@ -68,6 +68,12 @@ impl<S: Instructions> Lane for F32Lanes<S> {
     fn store(self, numbers: &mut [f32]) {
         self.0.store_slice(numbers);
     }
+    #[inline(always)]
+    unsafe fn write(self, target: *mut f32) {
+        let numbers = self.0.as_slice();
+        // SAFETY: the caller vouches for the target.
+        unsafe { target.copy_from_nonoverlapping(numbers.as_ptr(), numbers.len()) };
+    }
     triple_methods!();
 
     #[inline(always)]
