@@ -164,6 +164,7 @@ impl<T: Precision> Bsdf<T> {
     }
 
     /// [`Bsdf::eval`] and the density with which [`Bsdf::sample`] finds wi, per solid angle.
+    #[inline(always)]
     pub fn eval_pdf(
         &self,
         wo: T::Vector,
@@ -178,6 +179,7 @@ impl<T: Precision> Bsdf<T> {
     }
 
     /// [`Bsdf::eval_pdf`], and the density of the reverse.
+    #[inline(never)] // so that the frequent calls are inlined at the C boundary
     pub fn evaluate(
         &self,
         wo: T::Vector,
