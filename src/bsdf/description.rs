@@ -1,4 +1,4 @@
-//! What to create, and the checks that turn it into validated values.
+//! The description of a BSDF, and the checks that turn it into validated values.
 
 use super::film_rules::check_film;
 use super::info::{ModelInfo, ParamInfo, ParamKind};
@@ -12,8 +12,9 @@ use crate::num::Level;
 use std::fmt;
 use std::sync::Arc;
 
-/// A model's name, the parameters that differ from their defaults, those that vary per call, and the
-/// film for models that take one. Nothing is checked before [`super::Bsdf::new`].
+/// The description of a BSDF: the name of its model, the parameters that differ from their defaults, those
+/// that vary per call, and the film for models that take one. Nothing is checked before
+/// [`Bsdf::new`](super::Bsdf::new).
 #[derive(Clone, Default)]
 pub struct Description {
     model: String,
@@ -34,7 +35,7 @@ impl fmt::Debug for Description {
     }
 }
 
-/// A parameter's value as given.
+/// The value of a parameter as the caller gave it.
 #[derive(Clone, Debug)]
 enum ParamValue {
     Numbers(Vec<f32>),
@@ -42,7 +43,7 @@ enum ParamValue {
 }
 
 impl Description {
-    /// Of a model with every parameter at its default.
+    /// A model with every parameter at its default. [`models`](super::models) lists the models.
     pub fn new(model: &str) -> Self {
         Self {
             model: model.to_owned(),
@@ -55,7 +56,8 @@ impl Description {
         &self.model
     }
 
-    /// Sets numbers; a single number stands for all three components, directions excepted.
+    /// Sets a parameter to 1 or 3 numbers. A single number sets all three components of a parameter that
+    /// has three, except for directions.
     #[must_use]
     pub fn set(mut self, param: &str, numbers: &[f32]) -> Self {
         self.params
@@ -63,7 +65,7 @@ impl Description {
         self
     }
 
-    /// Makes a choice.
+    /// Sets a parameter to one of its choices, by name.
     #[must_use]
     pub fn choose(mut self, param: &str, choice: &str) -> Self {
         self.params
@@ -71,23 +73,23 @@ impl Description {
         self
     }
 
-    /// Declares a parameter that is given per call, and the range of each of its components;
-    /// 0 and 0 for a direction.
+    /// Declares that calls give the parameter, and the range [min, max] of each component. Calls clamp
+    /// finite values to this range. For a direction give 0 and 0.
     #[must_use]
     pub fn vary(mut self, param: &str, min: f32, max: f32) -> Self {
         self.varying.push((param.to_owned(), min, max));
         self
     }
 
-    /// The film, for models that take one; BSDFs share it.
+    /// Sets the film, for models that take one. Several BSDFs may share a film.
     #[must_use]
     pub fn film(mut self, film: Arc<Film>) -> Self {
         self.film = Some(film);
         self
     }
 
-    /// The instructions that batches use: "scalar", "sse2", "avx2", "avx512" or "neon", if this processor has
-    /// them; without a choice the widest that it has. All return the same bits: this is for tests.
+    /// Sets the instructions of batches, for tests: "scalar", "sse2", "avx2", "avx512" or "neon", if this
+    /// processor has them. The default is the widest; all levels return the same bits.
     #[must_use]
     pub fn simd_level(mut self, name: &str) -> Self {
         self.simd_level = Some(name.to_owned());
@@ -145,7 +147,8 @@ impl Description {
         )?;
         resolved.values.set_film(self.film.clone());
         for range in &resolved.varying {
-            // What varies without a value of its own has the model's default, held within its range.
+            // A varying parameter without a value of its own takes the model's default, clamped to its
+            // range.
             if let ParamKind::Number { default, .. } = info.params[range.param].kind
                 && !seen[range.param]
             {
@@ -158,14 +161,14 @@ impl Description {
     }
 }
 
-/// Validated values and ranges.
+/// The validated values and ranges of a description.
 pub(super) struct Resolved {
     pub values: Values<f32>,
     pub varying: Vec<VaryingRange>,
 }
 
 impl Resolved {
-    /// The values in the precision of the BSDF; directions are normalised in it.
+    /// The values in the precision of the BSDF, with directions normalised in that precision.
     pub fn values_in<T: Precision>(&self, info: &ModelInfo) -> Values<T> {
         let mut values = Values::defaults(info);
         for (index, param) in info.params.iter().enumerate() {
@@ -187,7 +190,7 @@ impl Resolved {
         values
     }
 
-    /// What each parameter can be.
+    /// The least and the greatest value of each parameter.
     fn bounds(&self, info: &ModelInfo) -> Bounds {
         let mut bounds = Bounds {
             least: self.values.clone(),
@@ -213,7 +216,7 @@ fn index_of(info: &ModelInfo, name: &str) -> Result<usize, Error> {
     })
 }
 
-/// Refuses a parameter that has no effect with the choices made.
+/// Refuses a parameter that has no effect under the choices made.
 fn check_use(info: &ModelInfo, index: usize, values: &Values<f32>) -> Result<(), Error> {
     let param = &info.params[index];
     if param.is_used(|choice| values.choice(choice)) {
@@ -230,7 +233,7 @@ fn check_use(info: &ModelInfo, index: usize, values: &Values<f32>) -> Result<(),
         choices.collect::<Vec<_>>().join(" and ")
     });
     let needed = cases.collect::<Vec<_>>().join(", or with ");
-    // The choices that decide: each once.
+    // The choices that decide about it, each listed once.
     let mut deciding: Vec<usize> = Vec::new();
     for made in param.used_with.iter().copied().flatten() {
         if !deciding.contains(&made.param) {
@@ -296,7 +299,7 @@ fn set(
     Ok(())
 }
 
-/// One number per component, or one for all of them.
+/// Three components from one number per component or one for all.
 fn spread(name: &str, components: usize, numbers: &[f32]) -> Result<[f32; 3], Error> {
     match *numbers {
         [all] => Ok([all; 3]),
@@ -350,7 +353,7 @@ fn check_number(name: &str, number: f32, min: f32, max: f32) -> Result<(), Error
     )))
 }
 
-/// A declared range must lie within the parameter's own.
+/// Refuses a declared range that is not within the range of the parameter.
 fn check_range(info: &ModelInfo, range: &VaryingRange) -> Result<(), Error> {
     let param = &info.params[range.param];
     let name = param.name();

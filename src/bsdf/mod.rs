@@ -1,4 +1,4 @@
-//! BSDFs: what a model is, what exists, and a model with its parameters set, ready to be called.
+//! BSDFs: the models, their registry, descriptions with their checks, and compiled BSDFs with their calls.
 //!
 //! A model is one file in `models/` and one line in `registry.rs`.
 

@@ -1,4 +1,4 @@
-//! Fresnel reflectance of one interface, exact and in Schlick's approximation.
+//! The Fresnel reflectance of one interface, exact and by Schlick's approximation.
 
 use super::Complex;
 use crate::num::Real;
@@ -29,9 +29,10 @@ pub fn schlick_transmittance<T: Real>(f0: T, cos_theta: T) -> T {
     (one - f0) * (one - (one - cos_theta).pow5())
 }
 
-/// Reflectance of unpolarised light for `cos_theta` in [0, 1] on the outside, `eta` > 0 the index
-/// inside over that outside; 1 beyond the critical angle, and 0 for equal indices. Fresnel 1823, with
-/// q = eta cos(angle inside) from q^2 = (eta - 1)(eta + 1) + cos^2, which has no cancellation.
+/// Reflectance of unpolarised light. `cos_theta`, in [0, 1], is the cosine outside, and `eta` > 0 is the
+/// index inside over that outside. The result is 1 beyond the critical angle and 0 for equal indices.
+/// Fresnel 1823, with q = eta cos(angle inside) from q^2 = (eta - 1)(eta + 1) + cos^2, which has no
+/// cancellation.
 #[inline(always)]
 pub fn dielectric_reflectance<T: Real>(cos_theta: T, eta: T) -> T {
     let (zero, half, one) = (T::new(0.0), T::new(0.5), T::new(1.0));
@@ -47,12 +48,12 @@ pub fn dielectric_reflectance<T: Real>(cos_theta: T, eta: T) -> T {
     T::select(is_matched, zero, reflectance)
 }
 
-/// Reflectance of unpolarised light from vacuum, `cos_theta` in [0, 1], on a medium of index
+/// Reflectance of unpolarised light that arrives from vacuum at `cos_theta` in [0, 1] on a medium of index
 /// eta + i k, eta > 0 and k >= 0: Born and Wolf, "Principles of Optics", section 14.2. With k = 0 it is
 /// [`dielectric_reflectance`].
 ///
-/// q = n cos(angle inside) from q^2 = n^2 - sin^2, whose real part is (eta - 1)(eta + 1) - k^2 + cos^2:
-/// no cancellation for indices close to 1.
+/// q = n cos(angle inside) comes from q^2 = n^2 - sin^2, whose real part is computed as (eta - 1)(eta + 1)
+/// - k^2 + cos^2, without cancellation for indices close to 1.
 #[inline(always)]
 pub fn conductor_reflectance<T: Real>(cos_theta: T, eta: T, k: T) -> T {
     let (zero, half, one) = (T::new(0.0), T::new(0.5), T::new(1.0));
@@ -63,7 +64,7 @@ pub fn conductor_reflectance<T: Real>(cos_theta: T, eta: T, k: T) -> T {
     let q = (excess + Complex::real(cos_theta.squared())).sqrt_upper();
     let is_matched = excess.equals(Complex::real(zero));
     let along = (excess + Complex::real(one)).scaled(cos_theta);
-    // |(cos - q) / (cos + q)|^2 and the same of n^2 cos, over one divisor.
+    // The mean of |(cos - q) / (cos + q)|^2 and |(n^2 cos - q) / (n^2 cos + q)|^2, over one divisor.
     let across = Complex::real(cos_theta);
     let [upper, lower] = [(across - q).norm_squared(), (across + q).norm_squared()];
     let [upper_p, lower_p] = [(along - q).norm_squared(), (along + q).norm_squared()];

@@ -1,27 +1,27 @@
 //! The media that are known by name, with their published optical constants.
 //!
-//! Metals, oxides, silicon and water are Chebyshev series fitted to measurements, good for
-//! 380-780 nm; beside each stands the greatest distance of the fit from its source. The others are
-//! the dispersion formulas of their sources. docs/media.md compares the metals with other figures.
+//! Metals, oxides, silicon and water are Chebyshev series fitted to measurements, valid for 380-780 nm; a
+//! comment at each states the greatest error of the fit. The others are the dispersion formulas of their
+//! sources. docs/media.md compares the metals with other published data.
 
 use super::Complex;
 
-/// Where the formulas hold, nm; outside they are held constant.
+/// The wavelengths for which the formulas are valid, nm. Outside, the index is constant.
 const RANGE_NM: [f64; 2] = [380.0, 780.0];
 
-/// A medium with a name.
+/// A medium that is known by name.
 #[derive(Debug)]
 pub struct Named {
     /// The chemical formula, or the usual name.
     pub name: &'static str,
-    /// Everyday names.
+    /// Other names for it.
     pub aliases: &'static [&'static str],
-    /// Who measured it.
+    /// The source of its data.
     pub source: &'static str,
     formula: Formula,
 }
 
-/// A dispersion formula; wavelengths in its coefficients are micrometres unless they say nm.
+/// A dispersion formula. Wavelengths are in micrometres unless the name says nm.
 #[derive(Debug)]
 enum Formula {
     /// sum c_j T_j(u), u = (lambda_nm - 580) / 200, for the index and for the extinction.
@@ -40,7 +40,7 @@ enum Formula {
 }
 
 impl Named {
-    /// The medium of that name or alias, in any mix of upper and lower case.
+    /// The medium of that name or alias; upper and lower case are alike.
     pub fn find(name: &str) -> Option<&'static Self> {
         MEDIA.iter().find(|medium| {
             let mut names = std::iter::once(&medium.name).chain(medium.aliases);
@@ -53,12 +53,12 @@ impl Named {
         &MEDIA
     }
 
-    /// Whether it absorbs in the visible range.
+    /// Whether it absorbs at some wavelength in 380-780 nm.
     pub fn absorbs(&self) -> bool {
         matches!(self.formula, Formula::Chebyshev { k, .. } if !k.is_empty())
     }
 
-    /// The wavelengths that its data cover, nm; outside them the index is constant.
+    /// The range of wavelengths of its data, nm. Outside, the index is constant.
     pub fn range_nm(&self) -> [f64; 2] {
         RANGE_NM
     }
@@ -68,14 +68,14 @@ impl Named {
         matches!(self.formula, Formula::Vacuum).then_some(Complex::real(1.0))
     }
 
-    /// The complex index; constant outside 380-780 nm.
+    /// The complex index at a vacuum wavelength, nm; constant outside 380-780 nm.
     pub fn index(&self, wavelength_nm: f64) -> Complex<f64> {
         let nm = wavelength_nm.clamp(RANGE_NM[0], RANGE_NM[1]);
         let um_squared = (nm * 1e-3).powi(2);
         let eta = match self.formula {
             Formula::Chebyshev { eta, k } => {
                 let u = (nm - 580.0) / 200.0;
-                // A fit may dip below 0 where its source is 0.
+                // The fit of k may be below 0 where the source has 0.
                 return Complex::new(chebyshev(eta, u), chebyshev(k, u).max(0.0));
             }
             Formula::Vacuum => 1.0,

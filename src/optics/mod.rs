@@ -1,5 +1,5 @@
-//! Optics: one interface (Fresnel reflectance, refraction), media and their complex indices, layers
-//! by wave optics, and colour from spectra.
+//! Optics: one interface (Fresnel reflectance, refraction), media and their complex indices, stacks of
+//! layers by wave optics, and colours from spectra.
 
 mod color;
 mod complex;

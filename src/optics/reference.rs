@@ -1,13 +1,12 @@
-//! The colour of a stack by wave optics, integrated over the spectrum until it no longer changes:
-//! what every other method is compared with.
+//! The colour of a stack by wave optics, integrated over the spectrum until it converges. All other methods
+//! are compared with it.
 //!
-//! The trapezoid rule is trusted only where the spectrum is resolved, so the integration has two
-//! parts. First a grid is found on which neighbouring samples cannot hide anything between them: its
-//! step is a quarter of the narrowest fringe that the optical paths allow, and an interval across
-//! which the denominator of R (see [`stack`](super::stack)) turns or changes by more than its own
-//! size is halved again, since a resonance lies there or nearby, at grazing angles often a thousand
-//! times narrower than the fringe. Then every interval is halved until that changes no channel by
-//! more than [`TOLERANCE`].
+//! The trapezoid rule converges only once the samples resolve the spectrum, so the integration has two
+//! parts. The first finds a grid that resolves it: the step is a quarter of the narrowest fringe that the
+//! optical paths allow, and an interval is halved again where the denominator of R (see
+//! [`stack`](super::stack)) changes across it by more than its own magnitude, because a resonance is there
+//! or nearby, at grazing angles often a thousand times narrower than the fringe. The second halves every
+//! interval until that changes no channel by more than [`TOLERANCE`].
 
 use super::color::{ChannelWeights, ColorSpace, VISIBLE_NM, White};
 use super::stack::{Incidence, Layer, P, Response, S, Side, Stack};
@@ -15,33 +14,33 @@ use super::{Complex, Medium};
 use crate::error::Error;
 use crate::num::{PI, Rgb};
 
-/// The greatest change of a channel at the last halving of the step.
+/// The greatest change of a channel at the last halving of the intervals.
 pub const TOLERANCE: f64 = 1e-5;
-/// The first step, nm; finer ones are its binary fractions.
+/// The coarsest step, nm. Finer steps are this one divided by a power of 2.
 const STEP_NM: f64 = 5.0;
 const STEPS: usize = 80;
-/// Indices and weights are kept for every 5 / 2^3 nm.
+/// Indices and weights are stored for every 5 / 2^3 nm.
 const KEPT_PER_STEP: usize = 8;
-/// The uniform part of the grid has at most 80 * 2^14 intervals (fringes down to 1.2e-3 nm).
+/// The uniform grid has at most 80 * 2^14 intervals, which resolves fringes down to 1.2e-3 nm.
 const MAX_LEVEL: u32 = 14;
-/// An interval narrower than this holds less than 1e-7 of any channel.
+/// An interval narrower than this has less than 1e-7 of the weight of any channel.
 const MIN_WIDTH_NM: f64 = 5e-6;
-/// No further halving after so many samples (about a second).
+/// Halving stops after this number of samples (about a second).
 const MAX_SAMPLES: usize = 1 << 23;
 const SAMPLES_PER_FRINGE: f64 = 4.0;
-/// The trapezoid rule converges much faster with equal steps: they are preferred unless they take
-/// more than so many times as many.
+/// The trapezoid rule converges much faster with equal steps. They are used unless they take more than this
+/// factor times the intervals of the graded grid.
 const UNIFORM_WITHIN: usize = 16;
-/// A layer behind which the light has lost all but this part shows no fringes.
+/// A layer that less than this fraction of the light crosses shows no fringes.
 const OPAQUE: f64 = 1e-7;
 
-/// A stack of media, ready to be evaluated at any thickness and angle.
+/// A stack of media, prepared for any thicknesses and angle.
 ///
-/// Cost, on one core of a 2020s server: 25 microseconds for one film of 300 nm (160 samples of 140
-/// ns), 160 to 400 for five layers of together 3 micrometres (450 ns a sample), 2 milliseconds for a
-/// film of 100 micrometres; proportional to the number of layers and, beyond a few micrometres, to
-/// the optical path, with more samples towards grazing angles. Evaluation allocates.
-/// `cargo bench --bench reference` measures it.
+/// Cost of an evaluation on one core of a 2020s server: 25 microseconds for one film of 300 nm (160 samples
+/// of 140 ns each), 160 to 400 microseconds for five layers of 3 micrometres in all (450 ns a sample), 2
+/// milliseconds for a film of 100 micrometres. It is proportional to the number of layers and, beyond a few
+/// micrometres, to the optical path, with more samples towards grazing angles. Evaluation allocates. `cargo
+/// bench --bench reference` measures the cost.
 #[derive(Clone, Debug)]
 pub struct Reference {
     ambient: Medium,
@@ -49,33 +48,33 @@ pub struct Reference {
     base: Medium,
     weights: ChannelWeights,
     kept: Vec<Kept>,
-    /// Per kept wavelength: ambient, layers, base.
+    /// The indices of ambient, layers and base at each stored wavelength.
     kept_index: Vec<Complex<f64>>,
 }
 
-/// What is known in advance at one wavelength.
+/// A stored wavelength and its weights in the channels.
 #[derive(Clone, Copy, Debug)]
 struct Kept {
     wavelength_nm: f64,
     weights: [f64; 3],
 }
 
-/// A colour, and how it was reached.
+/// A colour, and how well it converged.
 #[derive(Clone, Copy, Debug)]
 pub struct Converged {
-    /// Reflectance of unpolarised light per channel, not clipped: real films leave [0, 1].
+    /// Reflectance of unpolarised light per channel, not clipped: it may be outside [0, 1].
     pub reflectance: Rgb<f64>,
-    /// Transmittance into the far half-space, likewise.
+    /// Transmittance into the far half-space, per channel and not clipped.
     pub transmittance: Rgb<f64>,
-    /// The greatest change of a channel at the last halving: at most [`TOLERANCE`], unless the
-    /// optical path is so long (centimetres) that the samples ran out.
+    /// The greatest change of a channel at the last halving. It is at most [`TOLERANCE`], unless the
+    /// optical path is so long (centimetres) that the limit of samples was reached.
     pub change: f64,
-    /// How many wavelengths were evaluated.
+    /// The number of wavelengths that were evaluated.
     pub samples: usize,
 }
 
 impl Reference {
-    /// Prepares a stack: layers from the ambient medium inwards; the ambient must be transparent.
+    /// Prepares a stack. The layers are given from the ambient medium inwards.
     pub fn new(
         ambient: Medium,
         layers: Vec<Medium>,
@@ -109,16 +108,16 @@ impl Reference {
         })
     }
 
-    /// How many layers there are.
+    /// The number of layers.
     pub fn layer_count(&self) -> usize {
         self.layers.len()
     }
 
-    /// R and T per channel for unpolarised light at a cosine in [0, 1], measured in the half-space
-    /// that the light comes from, and one thickness >= 0 (nm) per layer.
+    /// R and T per channel for unpolarised light at a cosine in [0, 1], measured in the half-space that the
+    /// light comes from, for one thickness >= 0 (nm) per layer.
     ///
     /// # Panics
-    /// If there are not as many thicknesses as layers.
+    /// If the number of thicknesses is not that of the layers.
     pub fn evaluate(&self, side: Side, cos_theta: f64, thickness_nm: &[f64]) -> Converged {
         Integration::new(self, side, cos_theta, thickness_nm).converge()
     }
@@ -135,42 +134,42 @@ impl Reference {
         integration.respond(wavelength_nm, None).0
     }
 
-    /// Where a wavelength is kept, if it is.
+    /// The number of a stored wavelength; `None` if the wavelength is not stored.
     fn kept_at(&self, wavelength_nm: f64) -> Option<usize> {
         let position = (wavelength_nm - VISIBLE_NM[0]) * (KEPT_PER_STEP as f64 / STEP_NM);
         (position == position.trunc() && (0.0..self.kept.len() as f64).contains(&position))
             .then_some(position as usize)
     }
 
-    /// The indices of ambient, layers and base at a kept wavelength.
+    /// The indices of ambient, layers and base at a stored wavelength.
     fn indices_at(&self, kept: usize) -> &[Complex<f64>] {
         let media = self.layers.len() + 2;
         &self.kept_index[kept * media..(kept + 1) * media]
     }
 }
 
-/// One evaluation under way.
+/// The state of one evaluation.
 struct Integration<'a> {
     reference: &'a Reference,
     side: Side,
     cos_theta: f64,
-    /// The layers, with the indices of the wavelength at hand.
+    /// The layers, with the indices at the wavelength last evaluated.
     layers: Vec<Layer<f64>>,
-    /// Resolved intervals: start and width.
+    /// Start and width of the resolved intervals, nm.
     intervals: Vec<(f64, f64)>,
     samples: usize,
 }
 
-/// The spectrum at one wavelength.
+/// The stack's response and the weights of the channels at one wavelength.
 #[derive(Clone, Copy)]
-struct Sample {
+struct SpectrumNode {
     weights: [f64; 3],
     reflectance: f64,
     transmittance: f64,
     poles: [Complex<f64>; 2],
 }
 
-/// Integrals of the weights, alone and times R and T.
+/// Integrals of the weights, of the weights times R and of the weights times T.
 #[derive(Clone, Copy, Default)]
 struct Sums {
     white: [f64; 3],
@@ -224,7 +223,7 @@ impl<'a> Integration<'a> {
         }
     }
 
-    /// Finds the grid, and the integrals by the trapezoid rule on it.
+    /// Finds the grid and the integrals by the trapezoid rule on it.
     fn resolve(&mut self) -> Sums {
         let fringes_per_nm = self.fringes_per_nm();
         let level = (fringes_per_nm * SAMPLES_PER_FRINGE * STEP_NM)
@@ -244,7 +243,8 @@ impl<'a> Integration<'a> {
         self.grid(finest, false)
     }
 
-    /// A grid of steps of 5 / 2^level nm, halved further where a resonance demands it if `graded`.
+    /// Makes a grid with steps of 5 / 2^level nm. If `graded`, intervals near resonances are halved
+    /// further.
     fn grid(&mut self, level: u32, graded: bool) -> Sums {
         let width = STEP_NM / f64::from(1 << level);
         let mut sums = Sums::default();
@@ -263,17 +263,32 @@ impl<'a> Integration<'a> {
         sums
     }
 
-    fn keep(&mut self, start: f64, width: f64, left: &Sample, right: &Sample, sums: &mut Sums) {
+    fn keep(
+        &mut self,
+        start: f64,
+        width: f64,
+        left: &SpectrumNode,
+        right: &SpectrumNode,
+        sums: &mut Sums,
+    ) {
         sums.add(left, 0.5 * width);
         sums.add(right, 0.5 * width);
         self.intervals.push((start, width));
     }
 
-    /// Keeps an interval if the denominators change across it by less than their size.
-    fn divide(&mut self, start: f64, width: f64, left: &Sample, right: &Sample, sums: &mut Sums) {
+    /// Accepts an interval if the denominators change across it by less than their magnitude, and halves it
+    /// otherwise.
+    fn divide(
+        &mut self,
+        start: f64,
+        width: f64,
+        left: &SpectrumNode,
+        right: &SpectrumNode,
+        sums: &mut Sums,
+    ) {
         let is_resolved = [S, P].into_iter().all(|pol| {
             let (a, b) = (left.poles[pol], right.poles[pol]);
-            // Not a number, where the fields' scale has overflowed, counts as resolved.
+            // NaN, which occurs where the scale of the fields has overflowed, counts as resolved.
             let is_wide = (a - b).norm_squared() > a.norm_squared().min(b.norm_squared());
             !is_wide
         });
@@ -287,7 +302,7 @@ impl<'a> Integration<'a> {
         }
     }
 
-    /// The midpoint rule with every interval in so many parts.
+    /// The midpoint rule with every interval divided into `parts`.
     fn midpoints(&mut self, parts: usize) -> Sums {
         let mut sums = Sums::default();
         let intervals = std::mem::take(&mut self.intervals);
@@ -302,7 +317,7 @@ impl<'a> Integration<'a> {
         sums
     }
 
-    fn sample(&mut self, wavelength_nm: f64) -> Sample {
+    fn sample(&mut self, wavelength_nm: f64) -> SpectrumNode {
         let kept = self.reference.kept_at(wavelength_nm);
         let weights = match kept {
             Some(kept) => self.reference.kept[kept].weights,
@@ -310,7 +325,7 @@ impl<'a> Integration<'a> {
         };
         let (response, poles) = self.respond(wavelength_nm, kept);
         self.samples += 1;
-        Sample {
+        SpectrumNode {
             weights,
             reflectance: response.unpolarized_reflectance(),
             transmittance: response.unpolarized_transmittance(),
@@ -350,8 +365,8 @@ impl<'a> Integration<'a> {
         stack.respond_with_poles(self.side, self.cos_theta, wavelength_nm)
     }
 
-    /// The greatest number of fringes per nanometre: how fast the phase 2 q d / lambda, in turns,
-    /// of all layers together changes with the wavelength, dispersion included.
+    /// The greatest number of fringes per nanometre of wavelength: the greatest rate at which the sum over
+    /// the layers of the phase 2 q d / lambda, in turns, changes with the wavelength, dispersion included.
     fn fringes_per_nm(&self) -> f64 {
         let probes = (0..STEPS * KEPT_PER_STEP).step_by(32); // every 20 nm
         probes
@@ -380,7 +395,7 @@ impl<'a> Integration<'a> {
             let [a, b] = ends.map(|(indices, incidence, wavelength_nm)| {
                 incidence.wave(indices[layer + 1]).immittance[S].scaled(1.0 / wavelength_nm)
             });
-            // Only as deep as light gets.
+            // Thickness that no light reaches adds no fringes.
             let extinction = 4.0 * PI * a.im;
             let depth_nm = (light / OPAQUE).ln() / extinction.max(f64::MIN_POSITIVE);
             let thickness_nm = self.layers[layer].thickness_nm.min(depth_nm);
@@ -395,7 +410,7 @@ impl<'a> Integration<'a> {
 }
 
 impl Sums {
-    fn add(&mut self, sample: &Sample, width: f64) {
+    fn add(&mut self, sample: &SpectrumNode, width: f64) {
         for c in 0..3 {
             let weight = sample.weights[c] * width;
             self.white[c] += weight;
@@ -404,7 +419,8 @@ impl Sums {
         }
     }
 
-    /// The trapezoid rule after halving every interval, from that before and the midpoint rule.
+    /// The trapezoid rule after halving every interval: the mean of the trapezoid and the midpoint rule
+    /// before.
     fn halved(&self, midpoints: &Self) -> Self {
         let mean = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|c| 0.5 * (a[c] + b[c]));
         Self {
@@ -414,7 +430,7 @@ impl Sums {
         }
     }
 
-    /// Reflectance and transmittance, both 1 for a mirror and for nothing at all.
+    /// Reflectance and transmittance per channel, normalised by the weights.
     fn colors(&self) -> [[f64; 3]; 2] {
         [self.reflectance, self.transmittance]
             .map(|sum| std::array::from_fn(|c| sum[c] / self.white[c]))

@@ -1,44 +1,45 @@
-//! Four numbers in double precision side by side, in plain arrays: the compiler makes instructions of
-//! whatever width the processor has, and every width gives the same bits.
+//! Four double-precision numbers in a plain array. The compiler uses instructions of the width that the
+//! processor has, and every width gives the same bits.
 
 use super::super::{Mask, PI, Real};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// Four numbers.
+/// Four double-precision numbers, one per lane.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct F64x4([f64; F64x4::COUNT]);
 
-/// A truth value per number: all bits set or none.
+/// A mask: one truth value per lane, all bits set or none.
 #[derive(Clone, Copy, Debug)]
 pub struct F64Mask([u64; F64x4::COUNT]);
 
-/// 1.5 * 2^52: adding it rounds to a whole number, which is then in the lowest bits.
+/// 1.5 * 2^52. Adding it rounds to a whole number, whose integer is then in the lowest bits.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
-/// Below this e^x is 0: it would be less than the least normal number.
+/// The least argument of exp. Below it the result is 0, because e^x would be less than the least normal
+/// number.
 const LEAST_EXPONENT: f64 = -708.0;
-/// The greatest argument of exp.
+/// The greatest argument of exp; greater ones are clamped to it.
 const GREATEST_EXPONENT: f64 = 709.0;
-/// ln 2 in two parts; the first has so few digits that its products with whole exponents are exact.
+/// ln 2 in two parts. The first has few enough digits that its products with whole exponents are exact.
 const LN2_HIGH: f64 = 0.693_147_180_369_123_8;
 const LN2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
 impl F64x4 {
-    /// How many.
+    /// Number of lanes.
     pub const COUNT: usize = 4;
 
-    /// By their places.
+    /// The vector whose lane i is `number(i)`.
     #[inline(always)]
     pub fn from_fn(number: impl FnMut(usize) -> f64) -> Self {
         Self(std::array::from_fn(number))
     }
 
-    /// The numbers in their places.
+    /// The numbers in the order of the lanes.
     #[inline(always)]
     pub fn to_array(self) -> [f64; Self::COUNT] {
         self.0
     }
 
-    /// Their sum.
+    /// The sum of the lanes.
     #[inline(always)]
     pub fn sum(self) -> f64 {
         let [a, b, c, d] = self.0;
@@ -67,8 +68,8 @@ impl F64x4 {
         F64Mask(std::array::from_fn(bits))
     }
 
-    /// Cosine and sine of 2 pi x to 1e-11, for |x| < 2^50: Taylor's series about the nearest quarter of a
-    /// turn. The mathematical library would not do lanes, and differs from machine to machine.
+    /// Cosine and sine of 2 pi x for |x| < 2^50, with an error of 1e-11: Taylor's series about the nearest
+    /// quarter of a turn. The C library's functions do not work in lanes and differ between machines.
     #[inline(always)]
     pub fn circle(self) -> [Self; 2] {
         let whole = Self::new(WHOLE);
@@ -221,7 +222,7 @@ impl Real for F64x4 {
         Self(std::array::from_fn(chosen))
     }
 
-    /// Relative error 1e-14: x = n ln 2 + r, and Taylor's series of e^r.
+    /// x = n ln 2 + r, and Taylor's series of e^r. The relative error is 1e-14.
     #[inline(always)]
     fn exp(self) -> Self {
         let least = Self::new(LEAST_EXPONENT);
@@ -234,7 +235,7 @@ impl Real for F64x4 {
         for k in (1..=12).rev() {
             sum = Self::new(1.0) + r * sum * Self::new(1.0 / f64::from(k));
         }
-        // The whole number is in the lowest bits, from where a shift lifts it into the exponent.
+        // The integer n is in the lowest bits, from where a shift moves it into the exponent field.
         let power = shifted.map(|s| f64::from_bits((s.to_bits().wrapping_add(1023)) << 52));
         Self::select(self.lt(least), Self::new(0.0), sum * power)
     }

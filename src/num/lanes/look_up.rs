@@ -1,6 +1,7 @@
 //! Table look-ups in lanes: entries, and weighted sums of entries.
 //!
-//! In each lane the sum is that of a single look-up: the same products, added in the same order.
+//! Each lane forms the same products as a single look-up and adds them in the same order, so that the bits
+//! are the same.
 
 #![allow(unsafe_code)]
 
@@ -12,7 +13,7 @@ use super::f32_lanes::F32Lanes;
 use super::instructions::{Instructions, MAX_LANES};
 use fearless_simd::prelude::*;
 
-/// The four numbers of each lane's table entry, one register for each number.
+/// The table entry of each lane, one register for each of its four numbers.
 type Numbers<S> = [F32Lanes<S>; 4];
 
 /// [`unbiased`] of each lane.
@@ -22,10 +23,11 @@ fn unbiased_lanes<S: Instructions>(biased: F32Lanes<S>) -> S::u32s {
     bits & 0x007f_ffff
 }
 
-/// The indices, after checking that each has at least `after` entries behind it in a table of `length`.
+/// The indices as an array, after a check that at least `after` entries follow each of them in a table of
+/// `length` entries.
 ///
 /// # Panics
-/// If one has not.
+/// If fewer entries follow an index.
 #[inline(always)]
 fn within<S: Instructions>(index: S::u32s, after: usize, length: usize) -> [u32; MAX_LANES] {
     let Some(last) = length.checked_sub(after + 1) else {
@@ -40,7 +42,7 @@ fn within<S: Instructions>(index: S::u32s, after: usize, length: usize) -> [u32;
     indices
 }
 
-/// Takes no arguments: callers would have to prepare them in the fast path.
+/// It takes no arguments, because callers would prepare them in the fast path too.
 #[cold]
 #[inline(never)]
 fn outside() -> ! {
@@ -109,7 +111,7 @@ impl<S: Instructions> Lane for F32Lanes<S> {
     }
 }
 
-/// The same table, if its entries are four numbers.
+/// The same table, if its entries have four numbers.
 #[inline(always)]
 fn fours<const N: usize>(table: &[[f32; N]]) -> Option<&[[f32; 4]]> {
     let (entries, rest) = table.as_flattened().as_chunks();
@@ -146,7 +148,8 @@ pub(super) fn weighted_block<S: Instructions>(
     stride: usize,
     block: TableBlock<F32Lanes<S>>,
 ) -> Triple<F32Lanes<S>> {
-    // No sum overflows if the stride is less than the length, as a slice's bytes are at most isize::MAX.
+    // No sum below overflows if the stride is less than the length, because a slice has at most isize::MAX
+    // bytes.
     if stride >= table.len() {
         outside();
     }
@@ -154,7 +157,7 @@ pub(super) fn weighted_block<S: Instructions>(
         unbiased_lanes(block.first[0]),
         unbiased_lanes(block.first[1]),
     ];
-    // What wraps is still an index, if another one.
+    // A product that wraps gives another index, which `within` checks too.
     let index = within::<S>(row * stride as u32 + column, 2 * stride + 2, table.len());
     let across = each!(block.across, |weight| S::TOKEN.spread(weight.0));
     let along = each!(block.along, |weight| S::TOKEN.spread(weight.0));
@@ -172,10 +175,10 @@ pub(super) fn weighted_block<S: Instructions>(
     Triple([r, g, b])
 }
 
-/// The weighted sum of three entries for the lanes n of all quads.
+/// The weighted sum of three entries, for lanes n of all quads.
 ///
 /// # Safety
-/// Each index and the two after it must be in the table that begins at `start`.
+/// For each index the entry and the two after it must be in the table that begins at `start`.
 #[inline(always)]
 unsafe fn row_sum<S: Instructions>(
     start: *const [f32; 4],
@@ -191,10 +194,10 @@ unsafe fn row_sum<S: Instructions>(
     )
 }
 
-/// [`row_sum`] of three rows, weighted.
+/// The weighted sum of [`row_sum`] over three rows.
 ///
 /// # Safety
-/// All must be in the table that begins at `start`.
+/// All entries must be in the table that begins at `start`.
 #[inline(always)]
 unsafe fn block_sum<S: Instructions>(
     start: *const [f32; 4],

@@ -1,7 +1,7 @@
 //! The formulas of the layered model, eq. 1-16, in both variants.
 
 use super::super::power_lobe::{Power, conserving_normalization};
-use super::{
+use super::params::{
     AMBIENT_ETA, BASE, BASE_NORMAL, DIFFUSE_WEIGHT, ETA, EXPONENT_REFLECTION,
     EXPONENT_TRANSMISSION, PHASE_SHIFT, PHASE_SHIFT_HALF_WAVE, SPECULAR_WEIGHT, THICKNESS_NM,
     VARIANT, VARIANT_PAPER,

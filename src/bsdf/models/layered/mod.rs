@@ -41,44 +41,22 @@
 //!     does not predict.
 
 mod formulas;
+mod params;
 mod sampling;
 #[cfg(test)]
 mod tests;
 
 use crate::bsdf::compiled::kernel;
-use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo};
+use crate::bsdf::info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo};
 use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::{Bounds, Values};
 use crate::error::Error;
 use formulas::LayeredSurface;
+use params::{DIFFUSE_WEIGHT, PAPER, SPECULAR_WEIGHT, VARIANT, VARIANT_PAPER};
 
 /// The model; see the module's documentation.
 pub struct Layered;
-
-const ETA: usize = 0;
-const AMBIENT_ETA: usize = 1;
-const EXPONENT_REFLECTION: usize = 2;
-const EXPONENT_TRANSMISSION: usize = 3;
-const THICKNESS_NM: usize = 4;
-const BASE_NORMAL: usize = 5;
-const BASE: usize = 6;
-const SPECULAR_WEIGHT: usize = 7;
-const DIFFUSE_WEIGHT: usize = 8;
-const VARIANT: usize = 9;
-const PHASE_SHIFT: usize = 10;
-
-const VARIANT_PAPER: usize = 1;
-const PAPER: Choice = Choice {
-    param: VARIANT,
-    choice: VARIANT_PAPER,
-};
-const PHASE_SHIFT_HALF_WAVE: usize = 1;
-
-const MIRROR_LOBE: usize = 0;
-/// The refracted lobes of red, green and blue are this and the next two.
-const REFRACTED_LOBE: usize = 1;
-const DIFFUSE_LOBE: usize = 4;
 
 const GLOSSY: Flags = Flags::REFLECTION.with(Flags::GLOSSY);
 

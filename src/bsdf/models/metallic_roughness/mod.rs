@@ -31,42 +31,19 @@
 //! little is left for them, by up to 3.4).
 //! No multiple scattering is added to metals: rough ones are darker than real.
 
+mod params;
 mod surface;
 
 use crate::bsdf::compiled::kernel;
-use crate::bsdf::info::{Choice, LobeInfo, ModelInfo, ParamInfo};
+use crate::bsdf::info::{LobeInfo, ModelInfo, ParamInfo, chosen};
 use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
+use params::{DIELECTRIC_FROM, DIFFUSE_FORM, DISNEY, FROM_ETA, FROM_F0, OREN_NAYAR};
 use surface::CompiledMaterial;
 
 /// The model; see the module's documentation.
 pub struct MetallicRoughness;
-
-const BASE_COLOR: usize = 0;
-const METALLIC: usize = 1;
-const ROUGHNESS: usize = 2;
-const DIELECTRIC_FROM: usize = 3;
-const ETA: usize = 4;
-const F0: usize = 5;
-const DIFFUSE_FORM: usize = 6;
-const SIGMA_RADIANS: usize = 7;
-const DIFFUSE_ROUGHNESS: usize = 8;
-
-/// The choices of `dielectric_from`.
-const FROM_ETA: usize = 0;
-const FROM_F0: usize = 1;
-
-/// Choices of `diffuse_form`.
-const OREN_NAYAR: usize = 1;
-const DISNEY: usize = 2;
-
-const fn chosen(param: usize, choice: usize) -> Choice {
-    Choice { param, choice }
-}
-
-const DIFFUSE_LOBE: usize = 0;
-const SPECULAR_LOBE: usize = 1;
 
 impl Model for MetallicRoughness {
     const INFO: ModelInfo = ModelInfo {

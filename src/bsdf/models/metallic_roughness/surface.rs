@@ -1,6 +1,6 @@
 //! The compiled model, and the surface that it is for one call.
 
-use super::{
+use super::params::{
     BASE_COLOR, DIELECTRIC_FROM, DIFFUSE_FORM, DIFFUSE_LOBE, DIFFUSE_ROUGHNESS, DISNEY, ETA, F0,
     FROM_ETA, METALLIC, OREN_NAYAR, ROUGHNESS, SIGMA_RADIANS, SPECULAR_LOBE,
 };

@@ -1,6 +1,6 @@
 //! The Fresnel factor: how much a facet reflects.
 
-use super::{F0, THICKNESS_NM};
+use super::params::{F0, THICKNESS_NM};
 use crate::bsdf::precision::Precision;
 use crate::error::Error;
 use crate::film::{Film, FilmDescription};

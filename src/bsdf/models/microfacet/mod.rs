@@ -66,6 +66,7 @@ pub(crate) mod half_vector;
 pub(crate) mod masking;
 mod mirror;
 pub(crate) mod ndf;
+mod params;
 mod projected;
 mod quantile;
 mod rough;
@@ -79,11 +80,18 @@ use self::distribution::Distribution;
 use self::fresnel::CompiledFresnel;
 use self::masking::Masking;
 use self::mirror::Mirror;
+use self::params::{
+    ABC, ABC_EXPONENT, ALPHA, ANISOTROPY, BECKMANN, BLINN_PHONG, CONDUCTOR, CUSTOM, DIELECTRIC,
+    DISTRIBUTION, ENERGY_COMPENSATION, ETA, F0, F90, FILM, FRESNEL, GGX, IMPLICIT, K, MASKING,
+    METAL, OFF, ROTATION, SCHLICK, SCHLICK_MASKING, SGD, SGD_P, THICKNESS_NM,
+};
 use self::rough::Rough;
 use self::roughness::Roughness;
 use self::tabulated::Tabulated;
 use crate::bsdf::compiled::kernel;
-use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use crate::bsdf::info::{
+    Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind, chosen,
+};
 use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::{Bounds, Values};
@@ -94,45 +102,6 @@ use std::sync::Arc;
 
 /// The model; see the module's documentation.
 pub struct Microfacet;
-
-const DISTRIBUTION: usize = 0;
-const MASKING: usize = 1;
-const FRESNEL: usize = 2;
-const ALPHA: usize = 3;
-const ANISOTROPY: usize = 4;
-const ROTATION: usize = 5;
-const F0: usize = 6;
-const F90: usize = 7;
-const ETA: usize = 8;
-const K: usize = 9;
-const METAL: usize = 10;
-const THICKNESS_NM: usize = 11;
-const ABC_EXPONENT: usize = 12;
-const SGD_P: usize = 13;
-const ENERGY_COMPENSATION: usize = 14;
-
-/// The choices of `distribution`.
-const GGX: usize = 0;
-const BECKMANN: usize = 1;
-const BLINN_PHONG: usize = 2;
-const ABC: usize = 3;
-const SGD: usize = 4;
-
-/// Choices of `masking`.
-const SCHLICK_MASKING: usize = 1;
-const IMPLICIT: usize = 4;
-
-/// The choices of `fresnel`.
-const SCHLICK: usize = 0;
-const DIELECTRIC: usize = 1;
-const CONDUCTOR: usize = 2;
-const FILM: usize = 3;
-
-/// A choice of `energy_compensation`.
-const OFF: usize = 0;
-
-/// A choice of `metal`.
-const CUSTOM: usize = 0;
 
 /// The choices of `metal`: after the first the names of media.
 const METALS: &[&str] = &[
@@ -152,10 +121,6 @@ const WITH_STRETCH: &[&[Choice]] = &[
     &[chosen(DISTRIBUTION, BECKMANN)],
 ];
 
-const fn chosen(param: usize, choice: usize) -> Choice {
-    Choice { param, choice }
-}
-
 /// Least roughness that is not a mirror's.
 const LEAST_ALPHA: f32 = 1e-4;
 
@@ -174,10 +139,6 @@ const LOBES: &[LobeInfo] = &[
         flags: Flags::REFLECTION.with(Flags::DIFFUSE),
     },
 ];
-
-/// Numbers of a rough surface's lobes in a sample.
-const REFLECTION_LOBE: usize = 0;
-const MULTIPLE_LOBE: usize = 1;
 
 impl Model for Microfacet {
     const INFO: ModelInfo = ModelInfo {

@@ -1,6 +1,6 @@
 //! Roughness along two axes, as the parameters describe it.
 
-use super::{ALPHA, ANISOTROPY, ROTATION};
+use super::params::{ALPHA, ANISOTROPY, ROTATION};
 use crate::num::{Lane, Real};
 
 /// Roughness along two axes, and where they lie.
