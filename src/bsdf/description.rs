@@ -43,7 +43,7 @@ enum ParamValue {
 }
 
 impl Description {
-    /// A model with every parameter at its default. [`models`](super::models) lists the models.
+    /// A model with every parameter at its default. [`model_infos`](crate::model_infos) lists the models.
     pub fn new(model: &str) -> Self {
         Self {
             model: model.to_owned(),

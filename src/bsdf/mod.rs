@@ -27,6 +27,6 @@ pub use instance::{Bsdf, Evaluation, Sample, Varying};
 pub(crate) use job::{EvalJob, SampleJob};
 pub use lobes::{MAX_LOBES, PerLobe};
 pub use precision::Precision;
-pub use registry::{RegisteredModel, find, models};
+pub use registry::{RegisteredModel, find, model_infos, models};
 pub use values::{Bounds, Values};
 pub(crate) use varying::MAX_VARYING;

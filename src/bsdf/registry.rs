@@ -40,6 +40,11 @@ pub const fn models() -> &'static [RegisteredModel] {
     &MODELS
 }
 
+/// The descriptions of all models: parameters with ranges and defaults, lobes, sources.
+pub fn model_infos() -> impl ExactSizeIterator<Item = &'static ModelInfo> {
+    MODELS.iter().map(|entry| entry.info)
+}
+
 /// The model with that name.
 pub fn find(name: &str) -> Result<&'static RegisteredModel, Error> {
     let found = MODELS.iter().find(|entry| entry.name() == name);

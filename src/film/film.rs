@@ -1,4 +1,4 @@
-//! A film, compiled: what the users of this module hold.
+//! A compiled film.
 
 use super::colors::{Colors, clamp_inputs, has_nan};
 use super::description::FilmDescription;
@@ -79,7 +79,7 @@ impl Film {
         Some(self.description.varying_range())
     }
 
-    /// Reflectance from the ambient's side.
+    /// Reflectance of unpolarised light from the ambient's side, linear RGB.
     #[inline(always)]
     pub fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         self.reflectance_lanes(cos_theta, thickness_nm)
@@ -221,8 +221,8 @@ impl Film {
         found.reflectance
     }
 
-    /// Reflectance of unpolarised light at one vacuum wavelength (nm, > 0), for spectral renderers; 0 for
-    /// NaN. Beyond 380-780 nm indices are those at the ends of that range. Allocates.
+    /// Reflectance of unpolarised light from the ambient's side at one vacuum wavelength (nm, > 0), for spectral
+    /// renderers; 0 for NaN. Named media are constant outside 380-780 nm. It allocates.
     pub fn spectrum(&self, cos_theta: f64, thickness_nm: f64, wavelength_nm: f64) -> f64 {
         if cos_theta.is_nan() || thickness_nm.is_nan() {
             return 0.0;
@@ -234,7 +234,7 @@ impl Film {
             .unpolarized_reflectance()
     }
 
-    /// The ambient medium and the base, for those who refract.
+    /// The ambient medium and the base, for callers that refract directions themselves.
     pub fn half_spaces(&self) -> [&Medium; 2] {
         [&self.description.ambient, &self.description.base]
     }

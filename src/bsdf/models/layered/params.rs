@@ -19,6 +19,6 @@ pub(super) const PAPER: Choice = chosen(VARIANT, VARIANT_PAPER);
 pub(super) const PHASE_SHIFT_HALF_WAVE: usize = 1;
 
 pub(super) const MIRROR_LOBE: usize = 0;
-/// The refracted lobes of red, green and blue are this and the next two.
+/// The refracted lobe of red; those of green and blue are the next two.
 pub(super) const REFRACTED_LOBE: usize = 1;
 pub(super) const DIFFUSE_LOBE: usize = 4;

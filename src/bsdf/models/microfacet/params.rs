@@ -39,6 +39,6 @@ pub(super) const OFF: usize = 0;
 /// A choice of `metal`.
 pub(super) const CUSTOM: usize = 0;
 
-/// Numbers of a rough surface's lobes in a sample.
+/// The lobes of a rough surface.
 pub(super) const REFLECTION_LOBE: usize = 0;
 pub(super) const MULTIPLE_LOBE: usize = 1;
