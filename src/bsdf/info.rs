@@ -66,7 +66,7 @@ pub struct ModelInfo {
 
 impl ModelInfo {
     /// The defaults of the fields: no parameters, no lobes, no film, and every law obeyed.
-    pub const PLAIN: Self = Self {
+    pub(super) const PLAIN: Self = Self {
         name: "",
         summary: "",
         source: "",
@@ -136,12 +136,12 @@ pub struct LobeInfo {
 
 impl LobeInfo {
     /// A diffuse lobe that reflects.
-    pub const DIFFUSE: Self = Self {
+    pub(super) const DIFFUSE: Self = Self {
         name: "diffuse",
         flags: Flags::REFLECTION.with(Flags::DIFFUSE),
     };
     /// A glossy lobe that reflects.
-    pub const SPECULAR: Self = Self {
+    pub(super) const SPECULAR: Self = Self {
         name: "specular",
         flags: Flags::REFLECTION.with(Flags::GLOSSY),
     };
@@ -181,7 +181,7 @@ impl ParamInfo {
     }
 
     /// One number, which may vary.
-    pub const fn number(
+    pub(super) const fn number(
         name: &'static str,
         summary: &'static str,
         range: [f32; 2],
@@ -191,7 +191,7 @@ impl ParamInfo {
     }
 
     /// One number per colour channel, which may vary.
-    pub const fn rgb(
+    pub(super) const fn rgb(
         name: &'static str,
         summary: &'static str,
         range: [f32; 2],
@@ -217,12 +217,12 @@ impl ParamInfo {
     }
 
     /// A direction whose z is at least `min_z` after normalisation; it may vary.
-    pub const fn direction(name: &'static str, summary: &'static str, min_z: f32) -> Self {
+    pub(super) const fn direction(name: &'static str, summary: &'static str, min_z: f32) -> Self {
         Self::new(name, summary, ParamKind::Direction { min_z })
     }
 
     /// A choice, which may not vary.
-    pub const fn choice(
+    pub(super) const fn choice(
         name: &'static str,
         summary: &'static str,
         choices: &'static [&'static str],
@@ -231,12 +231,12 @@ impl ParamInfo {
     }
 
     /// The same parameter with a unit.
-    pub const fn in_unit(self, unit: &'static str) -> Self {
+    pub(super) const fn in_unit(self, unit: &'static str) -> Self {
         Self { unit, ..self }
     }
 
     /// The same parameter with an effect only where all choices of one of the cases are made.
-    pub const fn used_with(self, cases: &'static [&'static [Choice]]) -> Self {
+    pub(super) const fn used_with(self, cases: &'static [&'static [Choice]]) -> Self {
         Self {
             used_with: cases,
             ..self
@@ -249,7 +249,7 @@ impl ParamInfo {
     }
 
     /// The same parameter, which may not vary.
-    pub const fn fixed(self) -> Self {
+    pub(super) const fn fixed(self) -> Self {
         Self {
             can_vary: false,
             ..self

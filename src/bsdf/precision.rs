@@ -19,9 +19,11 @@ pub trait Precision: Lane<Mask = bool, Scalar = Self> + PartialOrd + Default + I
     fn to_f32(self) -> f32;
 
     /// Does the work of a batch at a level. Double precision has no batches and does nothing.
+    #[doc(hidden)]
     fn dispatch<W: Work<Self, Output = ()>>(level: Level, work: W);
 
     /// [`Film::reflectance`] in each lane.
+    #[doc(hidden)]
     fn reflectance<L: Lane<Scalar = Self>>(film: &Film, cos_theta: L, thickness_nm: L) -> Rgb<L>;
 
     /// Calls the compiler of this precision.

@@ -53,15 +53,15 @@ pub fn find(name: &str) -> Result<&'static RegisteredModel, Error> {
 
 /// A registered model: its description and its compilers.
 pub struct RegisteredModel {
-    /// [`Model::INFO`].
+    /// `Model::INFO`.
     pub info: &'static ModelInfo,
-    /// [`Model::needs_film`].
+    /// `Model::needs_film`.
     pub needs_film: fn(&Values<f32>) -> bool,
-    /// [`Model::lobes`].
+    /// `Model::lobes`.
     pub lobes: fn(&Values<f32>) -> &'static [LobeInfo],
-    /// [`Model::check`].
+    /// `Model::check`.
     pub check: fn(&Bounds) -> Result<(), Error>,
-    /// [`Model::prepare`] in single precision.
+    /// `Model::prepare` in single precision.
     pub prepare: Prepare<f32>,
 }
 
@@ -76,7 +76,7 @@ impl RegisteredModel {
         }
     }
 
-    /// [`Model::prepare`] in double precision.
+    /// `Model::prepare` in double precision.
     pub fn oracle(&self) -> Prepare<f64> {
         let is_self = |model: &RegisteredModel| std::ptr::eq(model, self);
         let index = MODELS.iter().position(is_self);

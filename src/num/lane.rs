@@ -45,7 +45,7 @@ pub trait Lane: Real {
     /// If the table is empty.
     fn load_entry<const N: usize>(table: &[[Self::Scalar; N]], index: Self) -> [Self; N];
     /// The weighted sum of three neighbouring entries of a table. `first` is the index of the first one, a
-    /// whole number in [0, 2^22], plus [`INDEX_BIAS`](super::table::INDEX_BIAS).
+    /// whole number in [0, 2^22], plus `INDEX_BIAS`.
     ///
     /// # Panics
     /// If they are not all in the table.

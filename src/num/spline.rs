@@ -72,8 +72,7 @@ pub(crate) const FARTHEST: f64 = 0.288_675; // 1 / sqrt(12)
 mod tests {
     use super::*;
 
-    /// A spline of order 3 reproduces parabolas between and at the values, up to the ends; and meets
-    /// any values.
+    /// A spline of order 3 reproduces parabolas everywhere, and goes through any values.
     #[test]
     fn reproduces_parabolas_and_values() {
         let f = |x: f64| [1.0 + x, x * x - 2.0, 0.3 - x * x * 0.7 - x];

@@ -20,7 +20,7 @@ impl<T: Copy> TableEntry<T> {
 /// A block of 3 x 3 entries of a table, and the weights of its rows and columns.
 #[derive(Clone, Copy, Debug)]
 pub struct TableBlock<T> {
-    /// Column and row of the first entry, whole numbers in [0, 2^22], each plus [`INDEX_BIAS`].
+    /// Column and row of the first entry, whole numbers in [0, 2^22], each plus `INDEX_BIAS`.
     pub first: [T; 2],
     /// Weights of the three columns.
     pub across: [T; 3],

@@ -118,8 +118,8 @@ impl ConductorPolynomial<f64> {
 mod tests {
     use super::*;
 
-    /// Where a polynomial is made it agrees with the exact formula between the angles at which it was tried
-    /// too; it is made for metals and for glass, not for total reflection or nearly equal indices.
+    /// A polynomial agrees with the exact formula between the angles at which it was tested too. There is
+    /// one for metals and glass, but not for total reflection and nearly equal indices.
     #[test]
     fn a_polynomial_agrees_with_the_roots_or_is_not_made() {
         let made = |eta: f32, k: f32| ConductorPolynomial::new([eta; 3], [k; 3]);

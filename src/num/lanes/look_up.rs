@@ -265,7 +265,7 @@ mod tests {
         colors().into_iter().map(TableEntry::new).collect()
     }
 
-    /// Sixteen look-ups by all methods, as many at once as the level does.
+    /// Sixteen look-ups by all methods, in the lanes of a level.
     struct Sixteen<'a> {
         table: &'a [TableEntry<f32>],
         fours: &'a [[f32; 4]],
@@ -275,7 +275,8 @@ mod tests {
         weights: [[f32; MAX_LANES]; 6],
     }
 
-    /// By method and number of the place: a row's sum, a block's, and entries of four and three.
+    /// The numbers found, by method and lane: sums of a row, sums of a block, and entries of four and three
+    /// numbers.
     type Found = [[f32; MAX_LANES]; 13];
 
     impl Work<f32> for Sixteen<'_> {
@@ -312,8 +313,8 @@ mod tests {
         }
     }
 
-    /// Every place finds what the plain definition finds for it alone, with all sets of instructions; and
-    /// plain entries are held to the table, the first for NaN.
+    /// Every lane finds what the plain definition finds, at all levels. Indices of plain entries are
+    /// clamped to the table; NaN finds the first entry.
     #[test]
     fn places_are_independent() {
         let (colors, table) = (colors(), table());
@@ -380,13 +381,13 @@ mod tests {
         }
     }
 
-    /// What is outside the table is never read, in whichever place it is.
+    /// An entry outside the table is never read, in any lane.
     #[test]
     fn outside_panics() {
         let table = table();
         for level in Level::all() {
             for place in 0..MAX_LANES {
-                // The last row's third column from the end, and the one after it.
+                // The third column from the end of the last row, and the column after it.
                 for (column, is_inside) in [(STRIDE - 3, true), (STRIDE - 2, false)] {
                     let mut first = [[0.0; MAX_LANES]; 3];
                     first[0][place] = column as f32;

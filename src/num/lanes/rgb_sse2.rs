@@ -219,11 +219,10 @@ impl Real for RgbLanes {
 mod tests {
     use super::*;
 
-    /// A function's name, its scalar form, its form in lanes.
+    /// The name of a function, its scalar form and its form in lanes.
     type Unary = (&'static str, fn(f32) -> f32, fn(RgbLanes) -> RgbLanes);
 
-    /// Guards the second implementation of every operation: each lane gives, to the bit, what the
-    /// scalar operation gives.
+    /// Each lane of every operation has the bits of the scalar operation.
     #[test]
     fn lanes_equal_scalars() {
         let numbers = [

@@ -98,8 +98,8 @@ impl<T: Lane> Ndf<T> for Beckmann<T> {
     }
 
     /// Lambda = (erf(a) - 1) / 2 + e^(-a^2) / (2 a sqrt(pi)) with a = 1 / (alpha tan): Heitz 2014, eq. 72,
-    /// after Smith 1967. With the stretched sine s, w.z is a s, and the product is s e^(-a^2) (1 / sqrt(pi)
-    /// - a erfcx(a)) / 2. Beyond a = 6 it is below 1e-16 of w.z and counts as 0.
+    /// after Smith 1967. With the stretched sine s, w.z is a s, and the product is s e^(-a^2) (1 /
+    /// sqrt(pi) - a erfcx(a)) / 2. Beyond a = 6 it counts as 0: it is below 1e-16 of w.z.
     #[inline(always)]
     fn cos_times_lambda(&self, w: Vec3<T>) -> T {
         let stretched = stretched(w, self.alpha);

@@ -36,9 +36,9 @@ impl<T: Lane<Scalar = T>> BlinnPhong<T> {
         L::select(h.z.gt(L::new(0.0)), density, L::new(0.0))
     }
 
-    /// Samples a normal with the density D(h) h.z. The share of the projected area beyond an angle, h.z^(e
-    /// + 2) = (h.z^2)^(1 / alpha^2), is inverted: Walter et al. 2007, eq. 31 and 32. sin^2 is computed by
-    /// expm1, because 1 - h.z^2 has lost its digits.
+    /// Samples a normal with the density D(h) h.z. The share of the projected area beyond an angle,
+    /// h.z^(e + 2) = (h.z^2)^(1 / alpha^2), is inverted (Walter et al. 2007, eq. 31 and 32). sin^2 is
+    /// computed by expm1, because 1 - h.z^2 has lost its digits.
     #[inline(always)]
     pub(super) fn sample<L: Lane<Scalar = T>>(&self, u: [L; 2]) -> Vec3<L> {
         let ln_cos_squared = L::splat(self.alpha_squared) * (-u[0]).ln_1p();

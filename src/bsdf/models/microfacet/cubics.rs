@@ -68,7 +68,7 @@ mod tests {
         assert_eq!(double.at(1e300), f(4.0));
     }
 
-    /// A cliff, whose slopes would make the cubic overshoot.
+    /// A step, at which unlimited slopes would make the cubics overshoot.
     #[test]
     fn falling_values_keep_falling() {
         let mut knots = vec![[1.0, 0.0], [1.0, -9.0], [0.01, -0.5], [0.0, 0.0]];

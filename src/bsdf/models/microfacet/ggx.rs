@@ -84,8 +84,8 @@ impl<T: Lane> Ndf<T> for Ggx<T> {
         T::new(0.5) * across / (length + w.z)
     }
 
-    /// Visible normals: Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps", listing
-    /// 3. The height and the radius on the cap are written without cancellation.
+    /// Visible normals: Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps",
+    /// listing 3. Height and radius on the cap are written without cancellation.
     #[inline(always)]
     fn sample(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
         let one = T::new(1.0);

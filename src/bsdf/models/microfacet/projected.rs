@@ -100,7 +100,7 @@ mod tests {
     use crate::num::PI;
     use statrs::function::erf::erfc;
 
-    /// Greatest relative error of w.z + area, which is that of G1.
+    /// The greatest relative error of w.z + w.z Lambda, which is that of G1.
     fn worst(
         alpha: f64,
         density: impl Fn(Vec3<f64>) -> f64,
@@ -163,7 +163,8 @@ mod tests {
         }
     }
 
-    /// From above nothing is averted, at the horizon the mean slope over pi, and nothing is undefined.
+    /// w.z Lambda is 0 for w along the normal and the mean slope over pi at the horizon, and is defined
+    /// everywhere.
     #[test]
     fn is_defined_at_both_ends() {
         let even = |_: Vec3<f64>| 1.0 / PI;

@@ -160,9 +160,9 @@ mod tests {
     use crate::bsdf::models::microfacet::slopes::sin_squared;
     use std::f64::consts::PI;
 
-    /// Greatest relative error of the samples' density: how much faster or slower than it should the
-    /// share below a sample grows, by central differences in ln(u / (1 - u)). `logit` is the truth, a
-    /// function of tan^2.
+    /// The greatest relative error of the density of samples: the error of the rate at which the share
+    /// below a sample grows, by central differences in ln(u / (1 - u)). `logit` is the exact ln(u / (1 -
+    /// u)) as a function of tan^2.
     fn worst(
         alpha: f64,
         density: impl Fn(Vec3<f64>) -> f64,
