@@ -80,9 +80,9 @@ pub use bsdf::{
     ParamKind, Precision, Sample, Transport, Varying, model_infos,
 };
 pub use error::{Error, Status};
-pub use film::{Colors, Film, FilmDescription, FilmLayer, METHODS, Plan};
+pub use film::{Colors, Film, FilmDescription, FilmLayer, FilmPlan, METHODS};
 /// The vectors of calls are [`glam::Vec3`], and [`glam::DVec3`] in double precision.
 pub use glam;
 pub use num::Rgb;
 pub use optics::stack::Side;
-pub use optics::{ColorSpace, Complex, Medium, Named, White};
+pub use optics::{ColorSpace, Complex, Medium, NamedMedium, White};

@@ -6,7 +6,7 @@
 
 use crate::bsdf::{Exception, ModelInfo, ParamInfo, ParamKind, models};
 use crate::film::METHODS;
-use crate::optics::{ColorSpace, Named, White};
+use crate::optics::{ColorSpace, NamedMedium, White};
 use libc::c_char;
 use std::ffi::CStr;
 use std::ptr::null;
@@ -115,8 +115,8 @@ impl<const B: usize, const P: usize> Writer<B, P> {
             i += 1;
         }
         let mut i = 0;
-        while i < Named::all().len() {
-            let medium = &Named::all()[i];
+        while i < NamedMedium::all().len() {
+            let medium = &NamedMedium::all()[i];
             writer.texts(&[medium.name, medium.source]);
             writer.list(medium.aliases);
             i += 1;

@@ -3,14 +3,14 @@
 use super::colors::{Colors, clamp_inputs, has_nan};
 use super::description::FilmDescription;
 use super::evaluator::Evaluator;
-use super::plan::choose::{Plan, plan};
+use super::plan::choose::{FilmPlan, plan};
 use super::table::spline::SplineTable;
 use crate::error::Error;
 use crate::num::{Lane, Real, Rgb, each};
 use crate::optics::stack::Side;
 use crate::optics::{Medium, Reference};
 
-/// A coating, compiled to the method that its [`Plan`] names. Immutable; share it between threads.
+/// A coating, compiled to the method that its [`FilmPlan`] names. Immutable; share it between threads.
 ///
 /// `cos_theta` is the cosine of incidence on the side that the light comes from, clamped to \[1e-9, 1\];
 /// `thickness_nm` is the thickness of the layer that varies, clamped to its range, and ignored if none
@@ -20,7 +20,7 @@ use crate::optics::{Medium, Reference};
 pub struct Film {
     description: FilmDescription,
     pub(super) evaluator: Evaluator,
-    plan: Plan,
+    plan: FilmPlan,
     /// The range that thicknesses are clamped to, nm.
     thickness_nm: [f32; 2],
     /// The range that colours are clipped to.
@@ -69,7 +69,7 @@ impl Film {
     }
 
     /// The method that evaluates it, and its measured errors.
-    pub fn plan(&self) -> &Plan {
+    pub fn plan(&self) -> &FilmPlan {
         &self.plan
     }
 

@@ -33,4 +33,4 @@ pub use method::one_layer::OneLayer;
 pub use method::registry::METHODS;
 #[doc(hidden)]
 pub use method::registry::OneLayerMethod;
-pub use plan::choose::Plan;
+pub use plan::choose::FilmPlan;

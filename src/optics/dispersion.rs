@@ -1,6 +1,6 @@
 //! The complex index of a medium as a function of wavelength.
 
-use super::media::Named;
+use super::media::NamedMedium;
 use super::{Complex, RGB_WAVELENGTHS_NM};
 use crate::error::Error;
 
@@ -18,7 +18,7 @@ pub struct Medium(Kind);
 
 #[derive(Clone, Debug)]
 enum Kind {
-    Named(&'static Named),
+    Named(&'static NamedMedium),
     /// The indices at [`RGB_WAVELENGTHS_NM`].
     Rgb([Complex<f64>; 3]),
     Table {
@@ -34,14 +34,14 @@ impl Medium {
     }
 
     /// The medium of that name or alias, such as "Au" or "gold"; upper and lower case are alike.
-    /// [`Named::all`] lists the media and the sources of their data.
+    /// [`NamedMedium::all`] lists the media and the sources of their data.
     pub fn named(name: &str) -> Result<Self, Error> {
         let names = || {
-            Named::all()
+            NamedMedium::all()
                 .iter()
                 .flat_map(|m| std::iter::once(m.name).chain(m.aliases.iter().copied()))
         };
-        Named::find(name)
+        NamedMedium::find(name)
             .map(|named| Self(Kind::Named(named)))
             .ok_or_else(|| Error::unknown("medium", name, names()))
     }

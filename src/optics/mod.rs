@@ -19,7 +19,7 @@ pub use fresnel::{
     conductor_reflectance, dielectric_reflectance, normal_reflectance, schlick, schlick_between,
     schlick_transmittance,
 };
-pub use media::Named;
+pub use media::NamedMedium;
 pub use reference::{Converged, Reference, TOLERANCE};
 pub use refraction::Interface;
 

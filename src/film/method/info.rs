@@ -12,7 +12,7 @@ use crate::optics::stack::Side;
 /// A method: its name, its sizes, its cost and how it is compiled.
 pub(in crate::film) struct MethodInfo {
     /// The name that forces the method ([`FilmDescription::method`]) and that
-    /// [`Plan::method`](crate::film::Plan::method) reports.
+    /// [`FilmPlan::method`](crate::film::FilmPlan::method) reports.
     pub name: &'static str,
     /// The sizes that are tried; a method without sizes has one, which it ignores.
     pub sizes: &'static [usize],

@@ -51,23 +51,6 @@ impl F64x4 {
         Self(std::array::from_fn(|i| f(self.0[i])))
     }
 
-    #[inline(always)]
-    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Self(std::array::from_fn(|i| f(self.0[i], other.0[i])))
-    }
-
-    #[inline(always)]
-    fn compare(self, other: Self, holds: impl Fn(f64, f64) -> bool) -> F64Mask {
-        let bits = |i: usize| {
-            if holds(self.0[i], other.0[i]) {
-                u64::MAX
-            } else {
-                0
-            }
-        };
-        F64Mask(std::array::from_fn(bits))
-    }
-
     /// Cosine and sine of 2 pi x for |x| < 2^50, with an error of 1e-11: Taylor's series about the nearest
     /// quarter of a turn. The C library's functions do not work in lanes and differ between machines.
     #[inline(always)]
@@ -113,43 +96,31 @@ impl F64x4 {
 }
 
 macro_rules! operator {
-    ($trait:ident, $method:ident) => {
-        impl $trait for F64x4 {
+    ($type:ident, $trait:ident, $method:ident) => {
+        impl $trait for $type {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.with(other, $trait::$method)
+                Self(std::array::from_fn(|i| {
+                    $trait::$method(self.0[i], other.0[i])
+                }))
             }
         }
     };
 }
 
-operator!(Add, add);
-operator!(Sub, sub);
-operator!(Mul, mul);
-operator!(Div, div);
+operator!(F64x4, Add, add);
+operator!(F64x4, Sub, sub);
+operator!(F64x4, Mul, mul);
+operator!(F64x4, Div, div);
+operator!(F64Mask, BitAnd, bitand);
+operator!(F64Mask, BitOr, bitor);
 
 impl Neg for F64x4 {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
         self.map(Neg::neg)
-    }
-}
-
-impl BitAnd for F64Mask {
-    type Output = Self;
-    #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] & other.0[i]))
-    }
-}
-
-impl BitOr for F64Mask {
-    type Output = Self;
-    #[inline(always)]
-    fn bitor(self, other: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] | other.0[i]))
     }
 }
 
@@ -169,6 +140,41 @@ impl Mask for F64Mask {
     }
 }
 
+/// The methods that [`Real`] for `f64` does in each lane.
+macro_rules! per_lane {
+    ($($method:ident),*) => {
+        $(
+            #[inline(always)]
+            fn $method(self) -> Self {
+                self.map(Real::$method)
+            }
+        )*
+    };
+}
+
+macro_rules! per_lane_pair {
+    ($($method:ident),*) => {
+        $(
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(std::array::from_fn(|i| Real::$method(self.0[i], other.0[i])))
+            }
+        )*
+    };
+}
+
+macro_rules! comparison {
+    ($($method:ident),*) => {
+        $(
+            #[inline(always)]
+            fn $method(self, other: Self) -> F64Mask {
+                let is_set = |i: usize| Real::$method(self.0[i], other.0[i]);
+                F64Mask(std::array::from_fn(|i| if is_set(i) { u64::MAX } else { 0 }))
+            }
+        )*
+    };
+}
+
 impl Real for F64x4 {
     type Mask = F64Mask;
     const EPSILON: f64 = f64::EPSILON;
@@ -177,41 +183,12 @@ impl Real for F64x4 {
     fn new(value: f64) -> Self {
         Self([value; Self::COUNT])
     }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        self.map(f64::sqrt)
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        self.map(f64::abs)
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        self.with(other, Real::min)
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        self.with(other, Real::max)
-    }
-    #[inline(always)]
-    fn round(self) -> Self {
-        self.map(Real::round)
-    }
+    per_lane!(sqrt, abs, round, power_of_two, exp_m1, ln, ln_1p);
+    per_lane_pair!(min, max);
+    comparison!(lt, le, equals);
     #[inline(always)]
     fn is_finite(self) -> F64Mask {
         self.abs().lt(Self::new(f64::INFINITY))
-    }
-    #[inline(always)]
-    fn lt(self, other: Self) -> F64Mask {
-        self.compare(other, |a, b| a < b)
-    }
-    #[inline(always)]
-    fn le(self, other: Self) -> F64Mask {
-        self.compare(other, |a, b| a <= b)
-    }
-    #[inline(always)]
-    fn equals(self, other: Self) -> F64Mask {
-        self.compare(other, |a, b| a == b)
     }
     #[inline(always)]
     fn select(mask: F64Mask, yes: Self, no: Self) -> Self {
@@ -246,22 +223,6 @@ impl Real for F64x4 {
             Self(parts.map(|part| part.0)),
             Self(parts.map(|part| part.1)),
         )
-    }
-    #[inline(always)]
-    fn power_of_two(self) -> Self {
-        self.map(Real::power_of_two)
-    }
-    #[inline(always)]
-    fn exp_m1(self) -> Self {
-        self.map(f64::exp_m1)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        self.map(f64::ln)
-    }
-    #[inline(always)]
-    fn ln_1p(self) -> Self {
-        self.map(f64::ln_1p)
     }
     #[inline(always)]
     fn cos_turns(self) -> Self {
