@@ -109,13 +109,13 @@ impl Description {
             values: Values::defaults(info),
             varying: Vec::new(),
         };
-        let mut seen = vec![false; info.params.len()];
-        for (name, given) in &self.params {
+        let mut is_set = vec![false; info.params.len()];
+        for (name, value) in &self.params {
             let index = index_of(info, name)?;
-            if std::mem::replace(&mut seen[index], true) {
+            if std::mem::replace(&mut is_set[index], true) {
                 return Err(Error::invalid(format!("parameter '{name}' is given twice")));
             }
-            set(&mut resolved.values, index, &info.params[index], given)?;
+            set(&mut resolved.values, index, &info.params[index], value)?;
         }
         for (name, min, max) in &self.varying {
             let param = index_of(info, name)?;
@@ -133,16 +133,17 @@ impl Description {
             resolved.values.set_varying(param);
             resolved.varying.push(range);
         }
-        let is_given =
-            |param: usize| seen[param] || resolved.varying.iter().any(|range| range.param == param);
-        for param in (0..info.params.len()).filter(|&param| is_given(param)) {
+        let has_value = |param: usize| {
+            is_set[param] || resolved.varying.iter().any(|range| range.param == param)
+        };
+        for param in (0..info.params.len()).filter(|&param| has_value(param)) {
             check_use(info, param, &resolved.values)?;
         }
         check_film(
             entry,
             self.film.as_deref(),
             &resolved.values,
-            &seen,
+            &is_set,
             &resolved.varying,
         )?;
         resolved.values.set_film(self.film.clone());
@@ -150,7 +151,7 @@ impl Description {
             // A varying parameter without a value of its own takes the model's default, clamped to its
             // range.
             if let ParamKind::Number { default, .. } = info.params[range.param].kind
-                && !seen[range.param]
+                && !is_set[range.param]
             {
                 let default = default.clamp(range.min, range.max);
                 resolved.values.set_numbers(range.param, [default; 3]);
@@ -254,10 +255,10 @@ fn set(
     values: &mut Values<f32>,
     index: usize,
     param: &ParamInfo,
-    given: &ParamValue,
+    value: &ParamValue,
 ) -> Result<(), Error> {
     let name = param.name();
-    match (&param.kind, given) {
+    match (&param.kind, value) {
         (
             ParamKind::Number {
                 components,

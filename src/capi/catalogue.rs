@@ -1,4 +1,4 @@
-//! What exists: models and their parameters, media, and the names of methods, spaces, whites and levels.
+//! Lists of models with their parameters, of media, and of the names of methods, spaces, whites and levels.
 
 use super::boundary::{check_output, guard, write_growing};
 use super::text::{list, text};

@@ -52,7 +52,7 @@ pub(super) fn list(texts: &'static [&'static str]) -> *const *const c_char {
     }
 }
 
-/// How many bytes and pointers there are.
+/// The numbers of bytes and pointers.
 const COUNTED: Writer<0, 0> = Writer::all();
 const WRITTEN: Writer<{ COUNTED.byte_count }, { COUNTED.pointer_count }> = Writer::all();
 
@@ -81,7 +81,7 @@ struct Pointer(*const c_char);
 // SAFETY: texts never change.
 unsafe impl Sync for Pointer {}
 
-/// In place of a text's place: the end of a list.
+/// The mark of the end of a list.
 const END: usize = usize::MAX;
 
 /// Appends texts to an array of B bytes, and the places of listed texts to an array of P places. With B = 0

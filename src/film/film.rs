@@ -28,7 +28,8 @@ pub struct Film {
     reference: Reference,
 }
 
-/// Smaller cosines are replaced by this one. At 0 the thinnest film mirrors, and no film does not.
+/// The least cosine; smaller ones are replaced by it. At 0 even the thinnest film is a perfect mirror,
+/// while a base without film may reflect nothing.
 const LEAST_COSINE: f32 = 1e-9;
 
 impl Film {
@@ -63,17 +64,17 @@ impl Film {
         })
     }
 
-    /// The description that it was made from.
+    /// The description of the film.
     pub fn description(&self) -> &FilmDescription {
         &self.description
     }
 
-    /// The method that evaluates it, and its measured errors.
+    /// The method that evaluates the film, and its measured errors.
     pub fn plan(&self) -> &FilmPlan {
         &self.plan
     }
 
-    /// The range of the thickness that varies, nm, if one does.
+    /// The range of the thickness that varies, nm; `None` if none does.
     pub fn varying_thickness_nm(&self) -> Option<[f64; 2]> {
         self.description.varying()?;
         Some(self.description.varying_range())
@@ -148,7 +149,7 @@ impl Film {
         each!(channels, |numbers| L::load(&numbers[..L::COUNT]))
     }
 
-    /// [`Film::reflectance`] by any evaluator, and of inputs that may be NaN.
+    /// [`Film::reflectance`] by any evaluator, for inputs that may be NaN.
     #[inline(never)]
     fn reflectance_with(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         let inputs = [cos_theta, thickness_nm];

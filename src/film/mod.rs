@@ -1,5 +1,5 @@
-//! Colours of a film: from (cosine, thickness) to linear RGB, by methods that trade accuracy for time.
-//! The truth that they approximate is [`crate::optics::Reference`].
+//! Colours of a film: from (cosine, thickness) to linear RGB, by methods that trade accuracy for time. The
+//! exact colours that they approximate are those of [`crate::optics::Reference`].
 //!
 //! [`Film::new`] takes a [`FilmDescription`], has the cheapest method chosen whose measured error holds
 //! the tolerance (`plan/`), and compiles it. A method is one file in `method/`. Most films become tables

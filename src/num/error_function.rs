@@ -50,11 +50,11 @@ pub fn erfcx<T: Real>(x: T) -> T {
         ERFCX.len()
     };
     // Clenshaw 1955, "A note on the summation of Chebyshev series".
-    let (mut next, mut after) = (T::new(0.0), T::new(0.0));
+    let (mut b1, mut b2) = (T::new(0.0), T::new(0.0));
     for coefficient in ERFCX[1..terms].iter().rev() {
-        (next, after) = (T::new(*coefficient) + two * t * next - after, next);
+        (b1, b2) = (T::new(*coefficient) + two * t * b1 - b2, b1);
     }
-    (T::new(ERFCX[0]) + t * next - after) / (one + two * x)
+    (T::new(ERFCX[0]) + t * b1 - b2) / (one + two * x)
 }
 
 #[inline(always)]

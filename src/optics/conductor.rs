@@ -51,10 +51,10 @@ impl<C: Real> ConductorPolynomial<C> {
         let greatest = GREATEST_ERROR * T::EPSILON / f64::from(f32::EPSILON);
         let keeps_digits = (0..=TRIALS).all(|i| {
             let cosine = f64::from(i) / f64::from(TRIALS);
-            let found = T::channels(fitted.reflectance(T::new(cosine)));
+            let approximate = T::channels(fitted.reflectance(T::new(cosine)));
             (0..3).all(|c| {
                 let exact = conductor_reflectance(cosine, eta[c].into(), k[c].into());
-                (found[c].into() - exact).abs() <= greatest * exact
+                (approximate[c].into() - exact).abs() <= greatest * exact
             })
         });
         keeps_digits.then_some(fitted)

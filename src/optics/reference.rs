@@ -20,7 +20,7 @@ pub const TOLERANCE: f64 = 1e-5;
 const STEP_NM: f64 = 5.0;
 const STEPS: usize = 80;
 /// Indices and weights are stored for every 5 / 2^3 nm.
-const KEPT_PER_STEP: usize = 8;
+const STORED_PER_STEP: usize = 8;
 /// The uniform grid has at most 80 * 2^14 intervals, which resolves fringes down to 1.2e-3 nm.
 const MAX_LEVEL: u32 = 14;
 /// An interval narrower than this has less than 1e-7 of the weight of any channel.
@@ -47,14 +47,14 @@ pub struct Reference {
     layers: Vec<Medium>,
     base: Medium,
     weights: ChannelWeights,
-    kept: Vec<Kept>,
+    stored: Vec<StoredWavelength>,
     /// The indices of ambient, layers and base at each stored wavelength.
-    kept_index: Vec<Complex<f64>>,
+    stored_indices: Vec<Complex<f64>>,
 }
 
 /// A stored wavelength and its weights in the channels.
 #[derive(Clone, Copy, Debug)]
-struct Kept {
+struct StoredWavelength {
     wavelength_nm: f64,
     weights: [f64; 3],
 }
@@ -84,27 +84,28 @@ impl Reference {
     ) -> Result<Self, Error> {
         ambient.check_ambient()?;
         let weights = ChannelWeights::new(white, space);
-        let count = STEPS * KEPT_PER_STEP + 1;
-        let mut kept = Error::reserve(count, "the reference's wavelengths")?;
-        let mut kept_index = Error::reserve(count * (layers.len() + 2), "the reference's indices")?;
+        let count = STEPS * STORED_PER_STEP + 1;
+        let mut stored = Error::reserve(count, "the reference's wavelengths")?;
+        let mut stored_indices =
+            Error::reserve(count * (layers.len() + 2), "the reference's indices")?;
         for i in 0..count {
-            let wavelength_nm = VISIBLE_NM[0] + i as f64 * STEP_NM / KEPT_PER_STEP as f64;
-            kept.push(Kept {
+            let wavelength_nm = VISIBLE_NM[0] + i as f64 * STEP_NM / STORED_PER_STEP as f64;
+            stored.push(StoredWavelength {
                 wavelength_nm,
                 weights: weights.at(wavelength_nm),
             });
             let media = std::iter::once(&ambient)
                 .chain(&layers)
                 .chain(std::iter::once(&base));
-            kept_index.extend(media.map(|medium| medium.index(wavelength_nm)));
+            stored_indices.extend(media.map(|medium| medium.index(wavelength_nm)));
         }
         Ok(Self {
             ambient,
             layers,
             base,
             weights,
-            kept,
-            kept_index,
+            stored,
+            stored_indices,
         })
     }
 
@@ -135,16 +136,16 @@ impl Reference {
     }
 
     /// The number of a stored wavelength; `None` if the wavelength is not stored.
-    fn kept_at(&self, wavelength_nm: f64) -> Option<usize> {
-        let position = (wavelength_nm - VISIBLE_NM[0]) * (KEPT_PER_STEP as f64 / STEP_NM);
-        (position == position.trunc() && (0.0..self.kept.len() as f64).contains(&position))
+    fn stored_at(&self, wavelength_nm: f64) -> Option<usize> {
+        let position = (wavelength_nm - VISIBLE_NM[0]) * (STORED_PER_STEP as f64 / STEP_NM);
+        (position == position.trunc() && (0.0..self.stored.len() as f64).contains(&position))
             .then_some(position as usize)
     }
 
     /// The indices of ambient, layers and base at a stored wavelength.
-    fn indices_at(&self, kept: usize) -> &[Complex<f64>] {
+    fn indices_at(&self, stored: usize) -> &[Complex<f64>] {
         let media = self.layers.len() + 2;
-        &self.kept_index[kept * media..(kept + 1) * media]
+        &self.stored_indices[stored * media..(stored + 1) * media]
     }
 }
 
@@ -201,18 +202,18 @@ impl<'a> Integration<'a> {
 
     fn converge(mut self) -> Converged {
         let mut sums = self.resolve();
-        let mut found = sums.colors();
+        let mut colors = sums.colors();
         let mut parts = 1;
         loop {
             let midpoints = self.midpoints(parts);
             parts *= 2;
             sums = sums.halved(&midpoints);
             let finer = sums.colors();
-            let changes = found.as_flattened().iter().zip(finer.as_flattened());
+            let changes = colors.as_flattened().iter().zip(finer.as_flattened());
             let change = changes.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            found = finer;
+            colors = finer;
             if change <= TOLERANCE || self.samples >= MAX_SAMPLES {
-                let ([reflectance, transmittance], samples) = (found, self.samples);
+                let ([reflectance, transmittance], samples) = (colors, self.samples);
                 return Converged {
                     reflectance,
                     transmittance,
@@ -256,14 +257,14 @@ impl<'a> Integration<'a> {
             if graded {
                 self.divide(start, width, &left, &right, &mut sums);
             } else {
-                self.keep(start, width, &left, &right, &mut sums);
+                self.accept(start, width, &left, &right, &mut sums);
             }
             left = right;
         }
         sums
     }
 
-    fn keep(
+    fn accept(
         &mut self,
         start: f64,
         width: f64,
@@ -293,7 +294,7 @@ impl<'a> Integration<'a> {
             !is_wide
         });
         if is_resolved || width < MIN_WIDTH_NM || self.samples >= MAX_SAMPLES {
-            self.keep(start, width, left, right, sums);
+            self.accept(start, width, left, right, sums);
         } else {
             let half = 0.5 * width;
             let middle = self.sample(start + half);
@@ -318,12 +319,12 @@ impl<'a> Integration<'a> {
     }
 
     fn sample(&mut self, wavelength_nm: f64) -> SpectrumNode {
-        let kept = self.reference.kept_at(wavelength_nm);
-        let weights = match kept {
-            Some(kept) => self.reference.kept[kept].weights,
+        let stored = self.reference.stored_at(wavelength_nm);
+        let weights = match stored {
+            Some(stored) => self.reference.stored[stored].weights,
             None => self.reference.weights.at(wavelength_nm),
         };
-        let (response, poles) = self.respond(wavelength_nm, kept);
+        let (response, poles) = self.respond(wavelength_nm, stored);
         self.samples += 1;
         SpectrumNode {
             weights,
@@ -336,12 +337,12 @@ impl<'a> Integration<'a> {
     fn respond(
         &mut self,
         wavelength_nm: f64,
-        kept: Option<usize>,
+        stored: Option<usize>,
     ) -> (Response<f64>, [Complex<f64>; 2]) {
         let reference = self.reference;
-        let (ambient, base) = match kept {
-            Some(kept) => {
-                let indices = reference.indices_at(kept);
+        let (ambient, base) = match stored {
+            Some(stored) => {
+                let indices = reference.indices_at(stored);
                 for (layer, index) in self.layers.iter_mut().zip(&indices[1..]) {
                     layer.index = *index;
                 }
@@ -368,23 +369,23 @@ impl<'a> Integration<'a> {
     /// The greatest number of fringes per nanometre of wavelength: the greatest rate at which the sum over
     /// the layers of the phase 2 q d / lambda, in turns, changes with the wavelength, dispersion included.
     fn fringes_per_nm(&self) -> f64 {
-        let probes = (0..STEPS * KEPT_PER_STEP).step_by(32); // every 20 nm
+        let probes = (0..STEPS * STORED_PER_STEP).step_by(32); // every 20 nm
         probes
-            .map(|kept| self.fringes_per_nm_at(kept))
+            .map(|stored| self.fringes_per_nm_at(stored))
             .fold(0.0, f64::max)
     }
 
-    fn fringes_per_nm_at(&self, kept: usize) -> f64 {
+    fn fringes_per_nm_at(&self, stored: usize) -> f64 {
         let reference = self.reference;
-        let ends = [kept, kept + 1].map(|kept| {
-            let indices = reference.indices_at(kept);
+        let ends = [stored, stored + 1].map(|stored| {
+            let indices = reference.indices_at(stored);
             let near = if self.side == Side::Ambient {
                 0
             } else {
                 indices.len() - 1
             };
             let incidence = Incidence::new(indices[near].re, self.cos_theta);
-            (indices, incidence, reference.kept[kept].wavelength_nm)
+            (indices, incidence, reference.stored[stored].wavelength_nm)
         });
         let (mut turns, mut light) = (0.0, 1.0);
         for step in 0..self.layers.len() {

@@ -71,9 +71,8 @@ pub struct DisneySurface<T> {
 pub(super) fn value<T: Real>(roughness: T, wo: Vec3<T>, wi: Vec3<T>) -> T {
     let one = T::new(1.0);
     let excess = roughness * (one + wo.dot(wi)) - T::new(0.5);
-    let [out, back] = [one - wo.z, one - wi.z];
-    let [out, back] = [one + excess * out.pow5(), one + excess * back.pow5()];
-    out * back * wi.z * T::new(1.0 / PI)
+    let factor = |w: Vec3<T>| one + excess * (one - w.z).pow5();
+    factor(wo) * factor(wi) * wi.z * T::new(1.0 / PI)
 }
 
 /// An upper bound of the directional albedo for reflectance 1, our own fit. From roughness 0.4 on, where

@@ -22,14 +22,14 @@ pub(super) struct Wavenumbers {
     pub weights: [F64x4; 3],
 }
 
-/// Where the harmonics end.
+/// The truncation of the harmonics.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Truncation {
-    /// The last harmonic that is summed whole.
+    /// The number of the last harmonic with weight 1.
     pub whole: f64,
-    /// The part of the next one that is summed too.
+    /// The weight of the next harmonic.
     pub part: f64,
-    /// 1 where the harmonics end, 0 where all are summed.
+    /// 1 where the harmonics are truncated, 0 where all are summed.
     pub cut: f64,
 }
 

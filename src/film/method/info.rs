@@ -1,4 +1,4 @@
-//! What the planner knows of a method.
+//! The description of a method, for the planner.
 
 use super::compiled_method::CompiledMethod;
 use super::one_layer::OneLayer;
@@ -16,9 +16,9 @@ pub(in crate::film) struct MethodInfo {
     pub name: &'static str,
     /// The sizes that are tried; a method without sizes has one, which it ignores.
     pub sizes: &'static [usize],
-    /// What a call costs in a size, ns: about the median of `./x chart` on one core of a 2024 server
-    /// (docs/chart.csv). Costs only have to put the methods in order; they are constants, so that the
-    /// order is the same on every machine.
+    /// The cost of a call in a size, ns: about the median of `./x chart` on one core of a 2024 server
+    /// (docs/chart.csv). Costs only have to put the methods in order; they are constants, so that the order
+    /// is the same on every machine.
     pub cost_ns: fn(usize) -> f64,
     /// Whether a plan may choose the method unasked.
     pub is_automatic: bool,
@@ -48,7 +48,7 @@ type Constructor<T> = fn(&OneLayer, usize) -> Result<Box<dyn CompiledMethod<T>>,
 pub(in crate::film) struct OneLayerCompile {
     pub single: Constructor<f32>,
     pub double: Constructor<f64>,
-    /// What an evaluation in a size takes, in words.
+    /// The work of an evaluation in a size, in words.
     pub work: fn(usize) -> String,
 }
 
@@ -57,8 +57,8 @@ pub(in crate::film) struct OneLayerCompile {
 const MEASURED: f64 = 0.4;
 
 impl MethodInfo {
-    /// What methods for one layer have in common; they have one size and are not chosen unasked. The
-    /// errors of fixed wavelengths and of truncated series jump, because they alias.
+    /// The common part of methods for one layer, which have one size and are not chosen unasked. The errors
+    /// of fixed wavelengths and of truncated series jump, because they alias.
     pub(super) const fn one_layer(name: &'static str, compile: OneLayerCompile) -> Self {
         Self {
             name,

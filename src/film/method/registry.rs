@@ -72,7 +72,7 @@ impl OneLayerMethod {
         self.info().name
     }
 
-    /// What an evaluation takes, in words.
+    /// The work of an evaluation, in words.
     pub fn cost(self) -> String {
         (self.constructors().work)(self.size())
     }

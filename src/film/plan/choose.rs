@@ -8,7 +8,7 @@ use crate::film::method::info::MethodInfo;
 use crate::film::method::registry::{ALL, METHODS};
 use crate::optics::Reference;
 
-/// What was chosen, and what it was measured to do.
+/// The chosen method of a film, and its measured errors.
 #[derive(Clone, Debug)]
 pub struct FilmPlan {
     /// The method's name, one of [`METHODS`](crate::film::METHODS).
@@ -21,7 +21,7 @@ pub struct FilmPlan {
     pub measured_rms: f64,
     /// Bytes of the tables.
     pub bytes: usize,
-    /// One sentence.
+    /// Why the method was chosen, in one sentence.
     pub reason: String,
 }
 

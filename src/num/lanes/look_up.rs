@@ -324,7 +324,7 @@ mod tests {
         let threes: Vec<[f32; 3]> = (0..5)
             .map(|i| [5, 6, 7].map(|c| (10 * i + c) as f32))
             .collect();
-        let held = [
+        let numbers = [
             0.0,
             4.0,
             3.0,
@@ -338,7 +338,7 @@ mod tests {
         let first = [
             std::array::from_fn(|i| (i * 3 % (STRIDE - 2)) as f32),
             std::array::from_fn(|i| (i * 2 % 3) as f32),
-            std::array::from_fn(|i| held[i % 8]),
+            std::array::from_fn(|i| numbers[i % 8]),
         ];
         let weights: [[f32; MAX_LANES]; 6] = [0, 1, 2, 3, 4, 5]
             .map(|w| std::array::from_fn(|i| ((i * 7 + w * 5) % 23) as f32 / 19.0));

@@ -183,8 +183,8 @@ impl<T: Precision> Compiled<T> for LayeredSurface<T> {
     }
 }
 
-fn chosen((is_so, words): (bool, &'static str)) -> Option<&'static str> {
-    is_so.then_some(words)
+fn chosen((is_used, words): (bool, &'static str)) -> Option<&'static str> {
+    is_used.then_some(words)
 }
 
 impl<T: Lane> LayeredSurface<T> {
@@ -306,8 +306,8 @@ impl<T: Lane> LayeredSurface<T> {
         let root = self.power_reflection.root(complement);
         // Exponent 0 reflects to the whole hemisphere, also where <r_i, wo> <= 0: eq. 12 is the mean for
         // that case.
-        let whole = self.exponent_reflection.equals(T::new(0.0));
-        let mirror_root = T::select(whole, T::new(1.0), root);
+        let is_hemispherical = self.exponent_reflection.equals(T::new(0.0));
+        let mirror_root = T::select(is_hemispherical, T::new(1.0), root);
         // The rays inside, a = -i_i and b = -i_o, point up.
         let zero = T::Rgb::new(0.0);
         let ratio = upper.interface.ratio();
@@ -315,21 +315,21 @@ impl<T: Lane> LayeredSurface<T> {
         let cos_io = upper.interface.cosine_inside(wo.z.gray());
         let is_inside = cos_ii.gt(zero) & cos_io.gt(zero);
         // The difference of r_ii, which is a mirrored about n1, and b.
-        let (distance_squared, possible) = if self.terms_used.is_parallel {
-            let flat = ratio.squared() * across_squared.gray();
-            (flat + (cos_ii - cos_io).squared(), is_inside)
+        let (distance_squared, is_possible) = if self.terms_used.is_parallel {
+            let refracted_squared = ratio.squared() * across_squared.gray();
+            (refracted_squared + (cos_ii - cos_io).squared(), is_inside)
         } else {
             let n1 = self.base_normal;
             let a_dot_n1 = ratio * (n1.x * wi.x + n1.y * wi.y).gray() + n1.z.gray() * cos_ii;
             let b_dot_n1 = ratio * (n1.x * wo.x + n1.y * wo.y).gray() + n1.z.gray() * cos_io;
             let twice = T::Rgb::new(2.0) * a_dot_n1;
-            let apart = Vec3::new(
+            let difference = Vec3::new(
                 n1.x.gray() * twice - ratio * across[0].gray(),
                 n1.y.gray() * twice - ratio * across[1].gray(),
                 n1.z.gray() * twice - (cos_ii + cos_io),
             );
             let is_seen = is_inside & a_dot_n1.gt(zero) & b_dot_n1.gt(zero);
-            (apart.length_squared(), is_seen)
+            (difference.length_squared(), is_seen)
         };
         let root = self
             .power_transmission
@@ -338,7 +338,7 @@ impl<T: Lane> LayeredSurface<T> {
         Shapes {
             mirror_root,
             // The null conditions after eq. 10 (the third one is in the power), and total reflection.
-            refracted_root: T::Rgb::select(possible, root, zero),
+            refracted_root: T::Rgb::select(is_possible, root, zero),
             cos_ii,
             cos_io,
         }
@@ -360,8 +360,8 @@ impl<T: Lane> LayeredSurface<T> {
             (fresnel_i, (one - fresnel_i) * out)
         } else {
             let fresnel_o = schlick(upper.f0, wo.z.gray());
-            let both = (one - fresnel_i) * (one - fresnel_o) * upper.compression;
-            (fresnel_i.min(fresnel_o), both)
+            let crossings = (one - fresnel_i) * (one - fresnel_o) * upper.compression;
+            (fresnel_i.min(fresnel_o), crossings)
         };
         let reflected = self.scale_reflection.gray() * fresnel;
         let transmitted = self.scale_transmission.gray() * crossings;

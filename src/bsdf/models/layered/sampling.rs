@@ -116,8 +116,8 @@ impl<T: Lane> LayeredSurface<T> {
         let interface = self.upper.interface.channel(c);
         let axis = interface.inside(wo).mirrored_about(self.base_normal);
         let a = sample_about(axis, self.exponent_transmission, u);
-        let possible = a.z.gt(zero) & a.dot(self.base_normal).gt(zero);
-        Vec3::select(possible, interface.outside(a), Vec3::zero())
+        let is_possible = a.z.gt(zero) & a.dot(self.base_normal).gt(zero);
+        Vec3::select(is_possible, interface.outside(a), Vec3::zero())
     }
 
     /// The estimated albedo of R. Like that of T it is neither weighted nor divided by 2, because

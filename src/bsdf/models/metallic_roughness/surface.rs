@@ -108,7 +108,7 @@ impl<T: Precision> Compiled<T> for CompiledMaterial<T> {
                 f0: L::splat(settings.f0),
                 diffuse: match &settings.diffuse {
                     DiffuseForm::Lambert => DiffuseForm::Lambert,
-                    DiffuseForm::OrenNayar(facets) => DiffuseForm::OrenNayar(facets.splat()),
+                    DiffuseForm::OrenNayar(grooves) => DiffuseForm::OrenNayar(grooves.splat()),
                     DiffuseForm::Disney(roughness) => DiffuseForm::Disney(L::splat(*roughness)),
                 },
             },
@@ -158,10 +158,10 @@ impl<P: Precision, T: Lane<Scalar = P>> MaterialSurface<'_, T> {
     /// The factor of the diffuse part: (1 - metallic) (1 - E(wo)) (1 - E(wi)) / (1 - E_avg).
     #[inline(always)]
     fn coupling(&self, wo: Vec3<T>, wi: Vec3<T>) -> T {
-        let both = self.remainder(&self.albedo_at(wo)) * self.remainder(&self.albedo_at(wi));
+        let remainders = self.remainder(&self.albedo_at(wo)) * self.remainder(&self.albedo_at(wi));
         let mean = self.remainder(&self.settings.row.mean);
         let is_dielectric = T::new(1.0) - self.settings.metallic;
-        is_dielectric * both / mean.max(T::new(LEAST_REMAINDER))
+        is_dielectric * remainders / mean.max(T::new(LEAST_REMAINDER))
     }
 
     /// f_d |wi.z|, divided by an upper bound of its albedo where that exceeds 1.
@@ -170,9 +170,9 @@ impl<P: Precision, T: Lane<Scalar = P>> MaterialSurface<'_, T> {
         let base_color = self.settings.base_color;
         let (value, greatest) = match self.settings.diffuse {
             DiffuseForm::Lambert => return base_color * (wi.z * T::new(1.0 / PI)).gray(),
-            DiffuseForm::OrenNayar(facets) => (
-                facets.full(base_color, wo, wi),
-                facets.albedo_at_horizon(base_color),
+            DiffuseForm::OrenNayar(grooves) => (
+                grooves.full(base_color, wo, wi),
+                grooves.albedo_at_horizon(base_color),
             ),
             DiffuseForm::Disney(roughness) => (
                 base_color * disney_diffuse::value(roughness, wo, wi).gray(),
