@@ -8,6 +8,7 @@ use super::kernel::Kernel;
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
 use super::precision::Precision;
 use super::registry::find;
+use super::resolve::resolve;
 use super::varying::{VaryingParams, VaryingRange, VaryingValues};
 use crate::error::Error;
 use crate::num::{Level, Rgb, Vec3};
@@ -91,7 +92,7 @@ impl<T: Precision> Bsdf<T> {
     pub fn new(description: &Description) -> Result<Self, Error> {
         let model = find(description.model())?;
         let level = description.level()?;
-        let resolved = description.resolve(model)?;
+        let resolved = resolve(description, model)?;
         let values = resolved.values_in::<T>(model.info);
         let lobes = (model.lobes)(&resolved.values);
         let kernel = T::prepare(|| model.prepare, || model.oracle(), &values)?;

@@ -16,6 +16,7 @@ mod models;
 mod precision;
 mod quadrature;
 mod registry;
+mod resolve;
 mod surface;
 mod values;
 mod varying;

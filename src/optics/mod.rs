@@ -9,7 +9,9 @@ mod fresnel;
 mod media;
 mod reference;
 mod refraction;
+mod spectral_sums;
 pub mod stack;
+mod waves;
 
 pub use color::{ChannelWeights, ColorSpace, VISIBLE_NM, White, matching_functions};
 pub use complex::Complex;

@@ -9,6 +9,7 @@
 //! interval until that changes no channel by more than [`TOLERANCE`].
 
 use super::color::{ChannelWeights, ColorSpace, VISIBLE_NM, White};
+use super::spectral_sums::{SpectrumNode, Sums};
 use super::stack::{Incidence, Layer, P, Response, S, Side, Stack};
 use super::{Complex, Medium};
 use crate::error::Error;
@@ -159,23 +160,6 @@ struct Integration<'a> {
     /// Start and width of the resolved intervals, nm.
     intervals: Vec<(f64, f64)>,
     samples: usize,
-}
-
-/// The stack's response and the weights of the channels at one wavelength.
-#[derive(Clone, Copy)]
-struct SpectrumNode {
-    weights: [f64; 3],
-    reflectance: f64,
-    transmittance: f64,
-    poles: [Complex<f64>; 2],
-}
-
-/// Integrals of the weights, of the weights times R and of the weights times T.
-#[derive(Clone, Copy, Default)]
-struct Sums {
-    white: [f64; 3],
-    reflectance: [f64; 3],
-    transmittance: [f64; 3],
 }
 
 impl<'a> Integration<'a> {
@@ -407,33 +391,5 @@ impl<'a> Integration<'a> {
             }
         }
         turns / (ends[1].2 - ends[0].2)
-    }
-}
-
-impl Sums {
-    fn add(&mut self, sample: &SpectrumNode, width: f64) {
-        for c in 0..3 {
-            let weight = sample.weights[c] * width;
-            self.white[c] += weight;
-            self.reflectance[c] += weight * sample.reflectance;
-            self.transmittance[c] += weight * sample.transmittance;
-        }
-    }
-
-    /// The trapezoid rule after halving every interval: the mean of the trapezoid and the midpoint rule
-    /// before.
-    fn halved(&self, midpoints: &Self) -> Self {
-        let mean = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|c| 0.5 * (a[c] + b[c]));
-        Self {
-            white: mean(self.white, midpoints.white),
-            reflectance: mean(self.reflectance, midpoints.reflectance),
-            transmittance: mean(self.transmittance, midpoints.transmittance),
-        }
-    }
-
-    /// Reflectance and transmittance per channel, normalised by the weights.
-    fn colors(&self) -> [[f64; 3]; 2] {
-        [self.reflectance, self.transmittance]
-            .map(|sum| std::array::from_fn(|c| sum[c] / self.white[c]))
     }
 }

@@ -44,6 +44,7 @@
 mod formulas;
 mod params;
 mod sampling;
+mod terms;
 #[cfg(test)]
 mod tests;
 

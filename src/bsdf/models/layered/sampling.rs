@@ -5,8 +5,9 @@
 //! lobes of R and T bounds it.
 
 use super::super::power_lobe::{estimated_integral, mean, sample_about, smooth_cosine};
-use super::formulas::{LayeredSurface, Shapes};
+use super::formulas::LayeredSurface;
 use super::params::{DIFFUSE_LOBE, MIRROR_LOBE, REFRACTED_LOBE};
+use super::terms::Shapes;
 use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, normalized};
 use crate::bsdf::surface::Surface;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, warp};
