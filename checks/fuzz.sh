@@ -12,6 +12,6 @@ command -v cargo-fuzz >/dev/null || step cargo install --locked cargo-fuzz
 command -v cargo-fuzz >/dev/null || die 1 "cargo-fuzz is missing and could not be installed: nothing was checked"
 for target in "$@"; do
     mkdir -p "fuzz/corpus/$target"
-    step cargo +nightly fuzz run "$target" "fuzz/corpus/$target" "tests/data/corpus/$target" -- \
+    step cargo +nightly fuzz run "$target" "fuzz/corpus/$target" "studies/corpus/$target" -- \
         -max_total_time="$seconds" -timeout=60 -max_len=2048 -len_control=0 -print_final_stats=1
 done

@@ -2,7 +2,7 @@
 # hand; it fails if a tool is missing that cannot be installed.
 
 # The quick ones first.
-STAGES=(symbols abi undefined address threads valgrind miri fuzz agreement evaluations soak promise)
+STAGES=(symbols abi undefined address threads valgrind miri fuzz f32_vs_f64 random_bounds soak film_tolerance)
 
 check() {
     case "${1:-}" in
@@ -52,6 +52,11 @@ need_nightly() {
         rustup component list --toolchain nightly --installed | grep -q "^$component" ||
             step rustup component add --toolchain nightly "$component"
     done
+}
+
+# study name [arguments]: one of the long checks of studies/, with its report in out/.
+study() {
+    step cargo run --locked --release -p pellicle-studies --bin check -- "$@" | tee "out/$1.md"
 }
 
 target_folder() {

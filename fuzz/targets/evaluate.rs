@@ -1,8 +1,3 @@
 #![no_main]
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
-#[path = "../../tests/common/contract/mod.rs"]
-mod contract;
-
-libfuzzer_sys::fuzz_target!(|data: &[u8]| contract::run("evaluate", data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| pellicle_studies::ffi_fuzz::run("evaluate", data));

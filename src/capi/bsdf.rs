@@ -31,7 +31,8 @@ pub fn bsdf_handle(bsdf: Bsdf) -> *mut PellicleBsdf {
 }
 
 /// Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
-/// `*bsdf`. Call it when loading, not when shading: @BSDF_TIME@.
+/// `*bsdf`. Call it when loading, not when shading: it takes milliseconds, at
+/// most a tenth of a second.
 ///
 /// Fails with UNKNOWN_NAME (model, parameter, choice, level), OUT_OF_RANGE (numbers, ranges, sums),
 /// INVALID_ARGUMENT (NULL, a wrong count or size, something given twice, a film that is missing or not used)

@@ -36,7 +36,8 @@ pub fn film_handle(film: Arc<Film>, simd_level: Option<&str>) -> Result<*mut Pel
 }
 
 /// Creates a film: validates the description, chooses and compiles the method that evaluates it, and
-/// stores a handle with one reference in `*film`. Call it when loading, not when shading: @FILM_TIME@.
+/// stores a handle with one reference in `*film`. Call it when loading, not when shading: it takes 10
+/// milliseconds to 10 seconds for one layer, and up to two minutes for 64 layers of which one varies.
 ///
 /// Fails with UNKNOWN_NAME (medium, white, color_space, method, level), OUT_OF_RANGE (numbers, the number of
 /// layers), INVALID_ARGUMENT (NULL, a wrong size, a medium missing or given in two ways, two layers that

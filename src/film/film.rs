@@ -23,8 +23,6 @@ pub struct Film {
     plan: FilmPlan,
     /// The range that thicknesses are clamped to, nm.
     thickness_nm: [f32; 2],
-    /// The range that colours are clipped to.
-    color: [<f32 as Lane>::Rgb; 2],
     reference: Reference,
 }
 
@@ -49,17 +47,11 @@ impl Film {
             description.color_space,
         )?;
         let (evaluator, plan) = plan(description, &reference)?;
-        let color = if description.unclipped {
-            [f32::NEG_INFINITY, f32::INFINITY]
-        } else {
-            [0.0, 1.0]
-        };
         Ok(Self {
             description: description.clone(),
             evaluator,
             plan,
             thickness_nm: description.varying_range().map(|x| x as f32),
-            color: color.map(f32::gray),
             reference,
         })
     }
@@ -94,16 +86,20 @@ impl Film {
         thickness_nm: L,
     ) -> Rgb<L> {
         let inputs = [cos_theta, thickness_nm];
-        match self.table() {
-            Some(table) if !has_nan(inputs) => {
-                let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
-                L::channels(self.clip::<L>(table.at(cos_theta, thickness_nm)))
-            }
-            _ => self.reflectance_one_by_one(inputs),
+        if has_nan(inputs) {
+            return one_by_one(inputs, |c, d| self.reflectance_or_zero(c, d));
         }
+        let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
+        let rgb = match self.table() {
+            Some(table) => table.at(cos_theta, thickness_nm),
+            None => L::rgb(one_by_one([cos_theta, thickness_nm], |c, d| {
+                self.unclipped(c, d)
+            })),
+        };
+        L::channels(self.clip::<L>(rgb))
     }
 
-    /// The table of the reflectance from the ambient's side, if the film is one over the cosine there.
+    /// The table of the reflectance from the ambient's side, if the film has one over the cosine there.
     #[inline(always)]
     pub(super) fn table(&self) -> Option<&SplineTable> {
         match &self.evaluator {
@@ -124,48 +120,36 @@ impl Film {
 
     #[inline(always)]
     pub(super) fn clip<L: Lane<Scalar = f32>>(&self, rgb: L::Rgb) -> L::Rgb {
-        let [least, greatest] = self.color;
-        rgb.max(L::splat_rgb(least)).min(L::splat_rgb(greatest))
-    }
-
-    /// [`Film::reflectance_with`] of each lane.
-    #[inline(always)]
-    pub(super) fn reflectance_one_by_one<L: Lane<Scalar = f32>>(
-        &self,
-        [cos_theta, thickness_nm]: [L; 2],
-    ) -> Rgb<L> {
-        const MOST: usize = 16;
-        let mut inputs = [[0.0; MOST]; 2];
-        cos_theta.store(&mut inputs[0][..L::COUNT]);
-        thickness_nm.store(&mut inputs[1][..L::COUNT]);
-        let [cos_theta, thickness_nm] = inputs;
-        let mut channels = [[0.0; MOST]; 3];
-        for lane in 0..L::COUNT {
-            let color = self.reflectance_with(cos_theta[lane], thickness_nm[lane]);
-            for (channel, number) in channels.iter_mut().zip(color) {
-                channel[lane] = number;
-            }
+        if self.description.unclipped {
+            return rgb;
         }
-        each!(channels, |numbers| L::load(&numbers[..L::COUNT]))
+        rgb.max(L::Rgb::new(0.0)).min(L::Rgb::new(1.0))
     }
 
-    /// [`Film::reflectance`] by any evaluator, for inputs that may be NaN.
+    /// [`Film::reflectance`] for inputs of which one may be NaN, which is rare.
+    #[cold]
     #[inline(never)]
-    fn reflectance_with(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+    pub(super) fn reflectance_or_zero(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         let inputs = [cos_theta, thickness_nm];
         if has_nan(inputs) {
             return [0.0; 3];
         }
         let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
-        let rgb = match &self.evaluator {
+        let rgb = f32::rgb(self.unclipped(cos_theta, thickness_nm));
+        f32::channels(self.clip::<f32>(rgb))
+    }
+
+    /// The unclipped reflectance for inputs in their ranges, by any evaluator.
+    #[inline(never)]
+    fn unclipped(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        match &self.evaluator {
             Evaluator::Tables(tables) => tables.reflectance(cos_theta, thickness_nm),
             Evaluator::Method(method) => method.reflectance(cos_theta, thickness_nm),
             Evaluator::Series(_) | Evaluator::Reference => {
                 self.unclipped_colors(Side::Ambient, cos_theta, thickness_nm)
                     .reflectance
             }
-        };
-        f32::channels(self.clip::<f32>(f32::rgb(rgb)))
+        }
     }
 
     /// The unclipped colours for inputs in their ranges, by an evaluator that knows both sides.
@@ -246,4 +230,25 @@ impl Film {
         let thicknesses = self.description.thicknesses(thickness_nm);
         Colors::from(self.reference.evaluate(side, cos_theta, &thicknesses)).to_f32()
     }
+}
+
+/// The colours of each lane's cosine and thickness in turn.
+#[inline(always)]
+pub(super) fn one_by_one<L: Lane<Scalar = f32>>(
+    [cos_theta, thickness_nm]: [L; 2],
+    color: impl Fn(f32, f32) -> Rgb<f32>,
+) -> Rgb<L> {
+    const MOST: usize = 16;
+    let mut inputs = [[0.0; MOST]; 2];
+    cos_theta.store(&mut inputs[0][..L::COUNT]);
+    thickness_nm.store(&mut inputs[1][..L::COUNT]);
+    let [cos_theta, thickness_nm] = inputs;
+    let mut channels = [[0.0; MOST]; 3];
+    for lane in 0..L::COUNT {
+        let color = color(cos_theta[lane], thickness_nm[lane]);
+        for (channel, number) in channels.iter_mut().zip(color) {
+            channel[lane] = number;
+        }
+    }
+    each!(channels, |numbers| L::load(&numbers[..L::COUNT]))
 }

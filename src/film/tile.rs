@@ -1,7 +1,7 @@
 //! Reflectances of a film for arrays of arguments.
 
 use super::colors::has_nan;
-use super::film::Film;
+use super::film::{Film, one_by_one};
 use super::table::spline::SplineTable;
 use crate::num::{Lane, Level, Work};
 
@@ -95,7 +95,7 @@ fn look_up<L: Lane<Scalar = f32>>(
     for (((cos_theta, thickness_nm), (x, y)), ((r, g), b)) in inputs.zip(positions).zip(results) {
         let inputs = [L::load(cos_theta), L::load(thickness_nm)];
         let rgb = if has_nan(inputs) {
-            film.reflectance_one_by_one(inputs)
+            one_by_one(inputs, |c, d| film.reflectance_or_zero(c, d))
         } else {
             let y = L::load(y);
             let rgb = table.around::<L>(L::rgb([L::load(x), y, y]));

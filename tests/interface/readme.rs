@@ -16,10 +16,7 @@ fn range(param: &ParamInfo) -> (String, String) {
             min, max, default, ..
         } => (format!("{min} .. {max}"), format!("{default}")),
         ParamKind::Direction { min_z } => (format!("z >= {min_z}"), "(0, 0, 1)".to_owned()),
-        ParamKind::Choice { choices } => {
-            let names: Vec<_> = choices.iter().copied().collect();
-            (names.join(", "), names[0].to_owned())
-        }
+        ParamKind::Choice { choices } => (choices.join(", "), choices[0].to_owned()),
     }
 }
 

@@ -47,13 +47,13 @@ impl<T: Precision> Compiled<T> for Rough<T> {
         is_round.into_iter().chain(self.fresnel.plan()).collect()
     }
 
-    /// Isotropic GGX with Smith's masking and without energy compensation has a specialised loop, and a
-    /// second one for conductors by polynomials. This takes value batches of GGX from 2.4 to 1.6 ns an
-    /// element (AVX-512).
+    /// Isotropic GGX with Smith's masking and without energy compensation has specialised loops, and so have its
+    /// conductors by polynomials. This takes batches of GGX from 2.4 to 1.6 ns an element for values, and from
+    /// 2.7 to 2.3 ns with densities (AVX-512).
     #[inline(always)]
     fn evaluate<L: Lane<Scalar = T>>(&self, job: &mut EvalJob<T>) {
         let surface = self.surface::<L>();
-        if !(job.pdf.is_none() && job.varying.is_empty() && self.is_plain_ggx()) {
+        if !self.is_plain_ggx() {
             return job.run(surface);
         }
         match surface.fresnel {

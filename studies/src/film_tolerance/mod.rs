@@ -1,0 +1,57 @@
+//! A film keeps its tolerance: its error against the reference stays within, on random stacks at random points.
+
+pub mod comparison;
+pub mod draw;
+pub mod points;
+pub mod report;
+pub mod stack;
+pub mod summary;
+#[cfg(test)]
+mod tests;
+
+use crate::shared::directions;
+use crate::shared::progress::Progress;
+use comparison::{Outcome, check};
+use points::points;
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What to check.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    pub seed: u64,
+    /// Numbers in the seed's series of stacks.
+    pub stacks: Range<usize>,
+    /// Points of each stack.
+    pub points: usize,
+    pub tolerances: Vec<f64>,
+}
+
+/// Checks all stacks at all tolerances, in their order.
+pub fn run(settings: &Settings) -> Vec<Outcome> {
+    let (progress, done) = (Progress::new(), AtomicUsize::new(0));
+    let outcomes = settings
+        .stacks
+        .clone()
+        .into_par_iter()
+        .flat_map_iter(|number| {
+            let stack = draw::stack(settings.seed, number);
+            let points = points(&stack, settings.seed, number, settings.points);
+            let truth = stack.truth(&points);
+            let tolerances = settings.tolerances.iter();
+            let found =
+                tolerances.map(|tolerance| check(number, &stack, *tolerance, &points, &truth));
+            let found: Vec<Outcome> = found.collect();
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            progress.say(|| format!("{done} of {} stacks", settings.stacks.len()));
+            found
+        });
+    outcomes.collect()
+}
+
+/// Random numbers for one purpose of one stack.
+fn rng(seed: u64, stack: usize, purpose: u64) -> Pcg64Mcg {
+    directions::rng((seed << 32) ^ ((stack as u64) << 4) ^ purpose)
+}
