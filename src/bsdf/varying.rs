@@ -18,7 +18,7 @@ pub struct VaryingRange {
     pub max: f32,
 }
 
-/// How one varying parameter is read.
+/// The place and the range of one varying parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct VaryingSlot<T> {
     /// Index of the parameter.

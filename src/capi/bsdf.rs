@@ -181,7 +181,7 @@ pub unsafe extern "C" fn pellicle_bsdf_lobe(
     })
 }
 
-/// What a handle points to.
+/// The object behind a handle.
 #[inline(always)]
 pub(super) unsafe fn handle<'a>(bsdf: *const PellicleBsdf) -> Result<&'a BsdfHandle, Error> {
     // SAFETY: NULL is refused; a live handle came from Arc::into_raw of an Arc<BsdfHandle>.

@@ -158,7 +158,7 @@ pub unsafe extern "C" fn pellicle_film_plan(
     })
 }
 
-/// What a handle points to.
+/// The object behind a handle.
 #[inline(always)]
 pub(super) unsafe fn handle<'a>(film: *const PellicleFilm) -> Result<&'a FilmHandle, Error> {
     // SAFETY: NULL is refused; a live handle came from Arc::into_raw of an Arc<FilmHandle>.

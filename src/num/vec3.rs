@@ -18,13 +18,13 @@ pub struct Vec3<T> {
 }
 
 impl<T: Real> Vec3<T> {
-    /// From its components.
+    /// The vector with these components.
     #[inline(always)]
     pub fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
 
-    /// From its components.
+    /// The vector with these components.
     #[inline(always)]
     pub fn from_array([x, y, z]: [T; 3]) -> Self {
         Self { x, y, z }

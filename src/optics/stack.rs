@@ -49,9 +49,10 @@ pub struct Stack<'a, T> {
 /// The side that the light comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// From the ambient medium.
+    /// The light comes from the ambient medium.
     Ambient,
-    /// From the base. If the base absorbs, no light arrives, and reflectance and transmittance are 0.
+    /// The light comes from the base. If the base absorbs, no light arrives, and reflectance and
+    /// transmittance are 0.
     Base,
 }
 

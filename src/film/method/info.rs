@@ -33,7 +33,7 @@ pub(in crate::film) struct MethodInfo {
     pub compile: Compile,
 }
 
-/// How a method is compiled.
+/// The constructor of a method.
 pub(in crate::film) enum Compile {
     /// For a film of one layer.
     OneLayer(OneLayerCompile),
@@ -44,7 +44,7 @@ pub(in crate::film) enum Compile {
 /// A constructor for a film of one layer and a size. It fails if the size is out of range.
 type Constructor<T> = fn(&OneLayer, usize) -> Result<Box<dyn CompiledMethod<T>>, Error>;
 
-/// How a method for one layer is compiled.
+/// The constructors of a method for one layer.
 pub(in crate::film) struct OneLayerCompile {
     pub single: Constructor<f32>,
     pub double: Constructor<f64>,

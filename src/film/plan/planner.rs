@@ -42,9 +42,9 @@ pub(in crate::film) struct Planner<'a> {
 pub(in crate::film) struct Candidate {
     pub evaluator: Evaluator,
     pub errors: Errors,
-    /// Bytes of its tables.
+    /// Bytes of the tables.
     pub bytes: usize,
-    /// Its size, in words.
+    /// The size of the method, in words.
     pub size: String,
 }
 
