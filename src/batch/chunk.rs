@@ -1,7 +1,7 @@
 //! Chunks of a batch: elements of strided arrays as columns of numbers, in place or copied.
 
 use super::view::{ConstView, View};
-use crate::num::{Columns, ColumnsMut, Level};
+use crate::num::{ColumnMut, Columns, ColumnsMut, Level};
 use std::mem::MaybeUninit;
 
 /// The greatest number of elements of a chunk. Their numbers fit in the first-level cache.
@@ -177,35 +177,63 @@ impl Chunk {
         }
     }
 
-    /// Slices that receive the components of a view's elements. [`Chunk::write`] copies them to the view.
+    /// A column that receives the numbers of a view with one component. [`Chunk::write`] copies it to the
+    /// view.
     ///
     /// # Safety
     /// As for [`Chunk::columns_mut`].
-    pub unsafe fn targets<'a, T: Copy + Default, const N: usize>(
+    pub unsafe fn column_mut<'a, T: Copy + Default>(
         &self,
         view: &View<T>,
-        room: &'a mut [Column<T>; N],
-    ) -> [&'a mut [T]; N] {
-        if self.is_in_place(view, N) {
+        room: &'a mut [Column<T>; 1],
+    ) -> ColumnMut<'a, T> {
+        if self.is_in_place(view, 1) {
             // SAFETY: the view is contiguous and aligned; the caller vouches for the rest.
-            return std::array::from_fn(|c| unsafe {
-                std::slice::from_raw_parts_mut(view.address(self.first, c), self.count)
-            });
+            return unsafe { ColumnMut::new(view.address(self.first, 0), self.count) };
         }
-        room.each_mut().map(|column| column.zeros(self.padded()))
+        ColumnMut::of_slice(room[0].zeros(self.padded()))
+    }
+
+    /// A column in the buffer, never in place, so that it can be read afterwards.
+    pub fn scratch<'a>(&self, room: &'a mut [Column<f32>; 1]) -> ColumnMut<'a, f32> {
+        ColumnMut::of_slice(room[0].zeros(self.padded()))
+    }
+
+    /// The numbers of a buffer that [`Chunk::scratch`] prepared.
+    ///
+    /// # Safety
+    /// [`Chunk::scratch`] must have prepared the buffer for this chunk.
+    pub unsafe fn numbers<'a>(&self, room: &'a [Column<f32>; 1]) -> &'a [f32] {
+        // SAFETY: the caller vouches for it.
+        unsafe { room[0].numbers(self.count) }
     }
 
     /// Copies the results to the view, unless they were written in place.
     ///
     /// # Safety
-    /// All elements must be writable, and [`Chunk::columns_mut`] or [`Chunk::targets`] must have prepared
-    /// the buffers.
+    /// All elements must be writable, and [`Chunk::columns_mut`] or [`Chunk::column_mut`] must have
+    /// prepared the buffers.
     pub unsafe fn write<T: Copy + Default, const N: usize>(
         &self,
         view: &View<T>,
         room: &[Column<T>; N],
     ) {
-        if view.data.is_null() || self.is_in_place(view, N) {
+        if !self.is_in_place(view, N) {
+            // SAFETY: the caller's promise.
+            unsafe { self.copy_out(view, room) };
+        }
+    }
+
+    /// Copies the buffers to the view, if it is wanted.
+    ///
+    /// # Safety
+    /// As for [`Chunk::write`].
+    pub unsafe fn copy_out<T: Copy + Default, const N: usize>(
+        &self,
+        view: &View<T>,
+        room: &[Column<T>; N],
+    ) {
+        if view.data.is_null() {
             return;
         }
         // SAFETY: the caller vouches for the view; the buffers were initialised with 0.

@@ -48,8 +48,8 @@ pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs, level: Level) -> Re
         unsafe {
             let cosines = chunk.read(&args.cos_theta, &mut cosines);
             let thicknesses = chunk.read(&thickness_nm, &mut thicknesses);
-            let reflectance = chunk.targets(&args.reflectance, &mut room);
-            film.reflectance_tile(chunks.level, cosines, thicknesses, reflectance);
+            let mut reflectance = chunk.columns_mut(&args.reflectance, &mut room);
+            film.reflectance_tile(chunks.level, cosines, thicknesses, &mut reflectance);
             chunk.write(&args.reflectance, &room);
         }
     }

@@ -107,7 +107,7 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
                 );
                 let varying = bsdf.varying_columns(varying.read(&chunk, numbers, &mut slices));
                 if !args.pdf_reverse.data.is_null() {
-                    let [density] = chunk.targets(&args.pdf_reverse, &mut pdf_reverse);
+                    let density = chunk.column_mut(&args.pdf_reverse, &mut pdf_reverse);
                     let mut job = EvalJob {
                         wo: wi,
                         wi: wo,
@@ -120,7 +120,7 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
                 }
                 let is_value_wanted = !args.value.data.is_null();
                 let is_pdf_wanted = !args.pdf.data.is_null();
-                let [density] = chunk.targets(&args.pdf, &mut pdf);
+                let density = chunk.column_mut(&args.pdf, &mut pdf);
                 let mut job = EvalJob {
                     wo,
                     wi,
@@ -191,20 +191,11 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(),
     let (mut wi, mut weight) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
     let [mut pdf, mut eta, mut lobe, mut probability] = [[Column::EMPTY]; 4];
     let [mut flags, mut numbers_of_lobes] = [[Column::EMPTY]; 2];
-    let not_a_view = View {
-        data: std::ptr::null_mut(),
-        element_stride: 0,
-        component_stride: 0,
-    };
     with_room(varying.floats(), |numbers| {
         for chunk in chunks.iter() {
             // SAFETY: as in `eval`.
             unsafe {
                 let mut slices = [&[][..]; MAX_FLOATS];
-                let [pdf_slice] = chunk.targets(&args.pdf, &mut pdf);
-                let [eta_slice] = chunk.targets(&args.eta, &mut eta);
-                let [lobe_slice] = chunk.targets(&not_a_view, &mut lobe);
-                let [probability_slice] = chunk.targets(&args.lobe_probability, &mut probability);
                 let mut job = SampleJob {
                     wo: chunk.columns(&args.wo, &mut wo),
                     u: chunk.columns(&args.u, &mut u),
@@ -213,28 +204,29 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(),
                     transport: args.call.transport,
                     wi: chunk.columns_mut(&args.wi, &mut wi),
                     weight: chunk.columns_mut(&args.weight, &mut weight),
-                    pdf: pdf_slice,
-                    eta: eta_slice,
-                    lobe: lobe_slice,
-                    lobe_probability: probability_slice,
+                    pdf: chunk.column_mut(&args.pdf, &mut pdf),
+                    eta: chunk.column_mut(&args.eta, &mut eta),
+                    lobe: chunk.scratch(&mut lobe),
+                    lobe_probability: chunk.scratch(&mut probability),
                 };
                 bsdf.sample_job(chunks.level, &mut job);
                 if !(args.flags.data.is_null() && args.lobe.data.is_null()) {
-                    let [flags_slice] = chunk.targets(&args.flags, &mut flags);
-                    let [number_slice] = chunk.targets(&args.lobe, &mut numbers_of_lobes);
-                    let found = job.lobe.iter().zip(job.lobe_probability.iter());
+                    let mut flags_column = chunk.column_mut(&args.flags, &mut flags);
+                    let mut number_column = chunk.column_mut(&args.lobe, &mut numbers_of_lobes);
+                    let found = chunk.numbers(&lobe).iter().zip(chunk.numbers(&probability));
                     for (i, (lobe, probability)) in found.enumerate() {
-                        number_slice[i] = *lobe as u32;
-                        flags_slice[i] = bsdf.sampled_flags(*lobe as usize, *probability > 0.0).0;
+                        number_column.set(i, *lobe as u32);
+                        let flags = bsdf.sampled_flags(*lobe as usize, *probability > 0.0);
+                        flags_column.set(i, flags.0);
                     }
                     chunk.write(&args.flags, &flags);
                     chunk.write(&args.lobe, &numbers_of_lobes);
                 }
+                chunk.copy_out(&args.lobe_probability, &probability);
                 chunk.write(&args.wi, &wi);
                 chunk.write(&args.weight, &weight);
                 chunk.write(&args.pdf, &pdf);
                 chunk.write(&args.eta, &eta);
-                chunk.write(&args.lobe_probability, &probability);
             }
         }
     });

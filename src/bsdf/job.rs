@@ -7,7 +7,7 @@ use super::call::Transport;
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe, mixture_density, normalized};
 use super::surface::Surface;
 use super::varying::{MAX_VARYING, VaryingValues};
-use crate::num::{Columns, ColumnsMut, Lane, Mask, Real, Rgb, Vec3, each};
+use crate::num::{ColumnMut, Columns, ColumnsMut, Lane, Mask, Real, Rgb, Vec3, each};
 
 /// A job that finds values, densities or both of many elements.
 pub struct EvalJob<'a, T> {
@@ -22,7 +22,7 @@ pub struct EvalJob<'a, T> {
     /// Receives f |wi.z|, if it is wanted; 0 for invalid directions.
     pub value: Option<ColumnsMut<'a, T>>,
     /// Receives the density of wi, if it is wanted.
-    pub pdf: Option<&'a mut [T]>,
+    pub pdf: Option<ColumnMut<'a, T>>,
 }
 
 /// A job that samples directions of many elements. Without a valid sample every output is 0.
@@ -42,13 +42,13 @@ pub struct SampleJob<'a, T> {
     /// Receives value / pdf; for a Dirac lobe its throughput over the probability of choosing it.
     pub weight: ColumnsMut<'a, T>,
     /// Receives the density of wi over all lobes; 0 for a Dirac lobe.
-    pub pdf: &'a mut [T],
+    pub pdf: ColumnMut<'a, T>,
     /// Receives the index on wi's side over the index on wo's side.
-    pub eta: &'a mut [T],
+    pub eta: ColumnMut<'a, T>,
     /// Receives the number of the chosen lobe.
-    pub lobe: &'a mut [T],
+    pub lobe: ColumnMut<'a, T>,
     /// Receives the probability with which the lobe was chosen; 0 tells that there is no sample.
-    pub lobe_probability: &'a mut [T],
+    pub lobe_probability: ColumnMut<'a, T>,
 }
 
 /// A sampled direction, or one in each lane. Without a valid sample every field is 0.
@@ -124,8 +124,7 @@ impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
             }
             if let Some(pdf) = &mut pdf {
                 let density = mixture_density(&choices(&surface, wo, lobes), &densities);
-                let density = L::select(is_seen, density, L::new(0.0));
-                density.store(&mut pdf[from..from + L::COUNT]);
+                pdf.store(from, L::select(is_seen, density, L::new(0.0)));
             }
         }
     }
@@ -139,7 +138,7 @@ impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
                 store_value(values, element, is_seen, value);
             }
             if let Some(pdf) = &mut self.pdf {
-                pdf[element] = T::select(is_seen, density, T::new(0.0));
+                pdf.set(element, T::select(is_seen, density, T::new(0.0)));
             }
         }
     }
@@ -209,14 +208,13 @@ impl<T: Lane<Scalar = T>> SampleJob<'_, T> {
 
     #[inline(always)]
     fn store<L: Lane<Scalar = T>>(&mut self, from: usize, direction: Direction<L>) {
-        let to = from + L::COUNT;
         self.wi.store(from, direction.wi.to_array());
         self.weight.store(from, direction.weight);
-        direction.pdf.store(&mut self.pdf[from..to]);
-        direction.eta.store(&mut self.eta[from..to]);
-        direction.lobe.store(&mut self.lobe[from..to]);
-        let probability = direction.lobe_probability;
-        probability.store(&mut self.lobe_probability[from..to]);
+        self.pdf.store(from, direction.pdf);
+        self.eta.store(from, direction.eta);
+        self.lobe.store(from, direction.lobe);
+        self.lobe_probability
+            .store(from, direction.lobe_probability);
     }
 }
 

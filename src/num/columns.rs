@@ -1,8 +1,11 @@
 //! Vectors of many elements, one column of numbers for each component.
+//!
+//! Columns to write are raw memory: no reference to numbers that may be uninitialised is ever made.
 
 #![allow(unsafe_code)]
 
-use super::Lane;
+use super::lanes::MAX_LANES;
+use super::{Lane, Real};
 use std::marker::PhantomData;
 
 /// Vectors to read, as three columns: component c of element i stands `c * stride + i` numbers after the
@@ -85,6 +88,17 @@ impl<'a, T> ColumnsMut<'a, T> {
         }
     }
 
+    /// Three columns one after another in a slice, each a third of its length.
+    pub fn of_slice(numbers: &'a mut [T]) -> Self {
+        let count = numbers.len() / 3;
+        Self {
+            start: numbers.as_mut_ptr(),
+            stride: count as isize,
+            count,
+            lifetime: PhantomData,
+        }
+    }
+
     /// Columns of `count` elements, with the start aligned and the stride counted in numbers.
     ///
     /// # Safety
@@ -105,14 +119,79 @@ impl<'a, T> ColumnsMut<'a, T> {
     #[inline(always)]
     pub fn store<L: Lane<Scalar = T>>(&mut self, from: usize, [x, y, z]: [L; 3]) {
         check(from, L::COUNT, self.count);
-        // SAFETY: as in `load`; one column is borrowed at a time.
-        let column = |c: isize| unsafe {
-            std::slice::from_raw_parts_mut(self.start.offset(c * self.stride).add(from), L::COUNT)
-        };
-        x.store(column(0));
-        y.store(column(1));
-        z.store(column(2));
+        // SAFETY: the elements are within the columns, which the caller of the constructor vouched for.
+        unsafe {
+            write(self.start.add(from), x);
+            write(self.start.offset(self.stride).add(from), y);
+            write(self.start.offset(2 * self.stride).add(from), z);
+        }
     }
+}
+
+/// Numbers to write, as one column.
+#[derive(Debug)]
+pub struct ColumnMut<'a, T> {
+    start: *mut T,
+    count: usize,
+    lifetime: PhantomData<&'a mut [T]>,
+}
+
+impl<'a, T: Copy> ColumnMut<'a, T> {
+    /// A column whose numbers are those of a slice.
+    #[inline(always)]
+    pub fn of_slice(numbers: &'a mut [T]) -> Self {
+        Self {
+            start: numbers.as_mut_ptr(),
+            count: numbers.len(),
+            lifetime: PhantomData,
+        }
+    }
+
+    /// A column of `count` numbers, with the start aligned.
+    ///
+    /// # Safety
+    /// All numbers must be writable, and nobody else may use them during the lifetime.
+    pub unsafe fn new(start: *mut T, count: usize) -> Self {
+        Self {
+            start,
+            count,
+            lifetime: PhantomData,
+        }
+    }
+
+    /// Writes one number.
+    ///
+    /// # Panics
+    /// If the column ends before that.
+    #[inline(always)]
+    pub fn set(&mut self, element: usize, number: T) {
+        check(element, 1, self.count);
+        // SAFETY: the element is within the column, which the caller of the constructor vouched for.
+        unsafe { self.start.add(element).write(number) };
+    }
+
+    /// Stores the numbers of the `L::COUNT` elements that begin at element `from`.
+    ///
+    /// # Panics
+    /// If the column ends before that.
+    #[inline(always)]
+    pub fn store<L: Lane<Scalar = T>>(&mut self, from: usize, numbers: L) {
+        check(from, L::COUNT, self.count);
+        // SAFETY: the element is within the column, which the caller of the constructor vouched for.
+        unsafe { write(self.start.add(from), numbers) };
+    }
+}
+
+/// Writes the `L::COUNT` numbers of the lanes.
+///
+/// # Safety
+/// The target must be writable for `L::COUNT` numbers.
+#[inline(always)]
+unsafe fn write<L: Lane>(target: *mut L::Scalar, numbers: L) {
+    let mut copy = [L::Scalar::new(0.0); MAX_LANES];
+    numbers.store(&mut copy[..L::COUNT]);
+    // SAFETY: the caller vouches for the target; no lane type has more lanes than the copy has numbers.
+    unsafe { target.copy_from_nonoverlapping(copy.as_ptr(), L::COUNT) };
 }
 
 #[inline(always)]

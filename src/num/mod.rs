@@ -16,7 +16,7 @@ mod vec3;
 pub mod warp;
 
 pub(crate) use arctangent::angle_turns;
-pub use columns::{Columns, ColumnsMut};
+pub use columns::{ColumnMut, Columns, ColumnsMut};
 pub(crate) use error_function::{erfcx, erfinv};
 pub use lane::Lane;
 pub use lanes::{F64x4, Level, Work, widest};

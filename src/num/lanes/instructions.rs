@@ -10,7 +10,7 @@
 use fearless_simd::prelude::*;
 
 /// The greatest number of lanes of any set of instructions.
-pub(super) const MAX_LANES: usize = 16;
+pub(in crate::num) const MAX_LANES: usize = 16;
 
 /// A set of SIMD instructions.
 pub(super) trait Instructions: Simd {

@@ -12,4 +12,5 @@ mod rgb_sse2;
 
 pub use dispatch::widest;
 pub use f64x4::F64x4;
+pub(super) use instructions::MAX_LANES;
 pub use level::{Level, Work};
