@@ -1,5 +1,5 @@
-//! What every entry point does: stop panics, report failures, check pointers, and read and write
-//! structs that may be shorter or longer than this build's.
+//! The common work of all entry points: stopping panics, reporting failures, checking pointers, and reading
+//! and writing structs that may be shorter or longer than those of this build.
 
 use super::last_error;
 use super::types::{PELLICLE_INTERNAL, PELLICLE_OK, PellicleStatus};

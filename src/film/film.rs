@@ -1,16 +1,16 @@
-//! A film, compiled: what the users of this module hold.
+//! A compiled film.
 
 use super::colors::{Colors, clamp_inputs, has_nan};
 use super::description::FilmDescription;
 use super::evaluator::Evaluator;
-use super::plan::choose::{Plan, plan};
+use super::plan::choose::{FilmPlan, plan};
 use super::table::spline::SplineTable;
 use crate::error::Error;
 use crate::num::{Lane, Real, Rgb, each};
 use crate::optics::stack::Side;
 use crate::optics::{Medium, Reference};
 
-/// A coating, compiled to the method that its [`Plan`] names. Immutable; share it between threads.
+/// A coating, compiled to the method that its [`FilmPlan`] names. Immutable; share it between threads.
 ///
 /// `cos_theta` is the cosine of incidence on the side that the light comes from, clamped to \[1e-9, 1\];
 /// `thickness_nm` is the thickness of the layer that varies, clamped to its range, and ignored if none
@@ -20,13 +20,14 @@ use crate::optics::{Medium, Reference};
 pub struct Film {
     description: FilmDescription,
     pub(super) evaluator: Evaluator,
-    plan: Plan,
+    plan: FilmPlan,
     /// The range that thicknesses are clamped to, nm.
     thickness_nm: [f32; 2],
     reference: Reference,
 }
 
-/// Smaller cosines are replaced by this one. At 0 the thinnest film mirrors, and no film does not.
+/// The least cosine; smaller ones are replaced by it. At 0 even the thinnest film is a perfect mirror,
+/// while a base without film may reflect nothing.
 const LEAST_COSINE: f32 = 1e-9;
 
 impl Film {
@@ -55,23 +56,23 @@ impl Film {
         })
     }
 
-    /// The description that it was made from.
+    /// The description of the film.
     pub fn description(&self) -> &FilmDescription {
         &self.description
     }
 
-    /// The method that evaluates it, and its measured errors.
-    pub fn plan(&self) -> &Plan {
+    /// The method that evaluates the film, and its measured errors.
+    pub fn plan(&self) -> &FilmPlan {
         &self.plan
     }
 
-    /// The range of the thickness that varies, nm, if one does.
+    /// The range of the thickness that varies, nm; `None` if none does.
     pub fn varying_thickness_nm(&self) -> Option<[f64; 2]> {
         self.description.varying()?;
         Some(self.description.varying_range())
     }
 
-    /// Reflectance from the ambient's side.
+    /// Reflectance of unpolarised light from the ambient's side, linear RGB.
     #[inline(always)]
     pub fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         self.reflectance_lanes(cos_theta, thickness_nm)
@@ -125,7 +126,7 @@ impl Film {
         rgb.max(L::Rgb::new(0.0)).min(L::Rgb::new(1.0))
     }
 
-    /// [`Film::reflectance`] of inputs of which one may be NaN, which is rare.
+    /// [`Film::reflectance`] for inputs of which one may be NaN, which is rare.
     #[cold]
     #[inline(never)]
     pub(super) fn reflectance_or_zero(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
@@ -205,8 +206,8 @@ impl Film {
         found.reflectance
     }
 
-    /// Reflectance of unpolarised light at one vacuum wavelength (nm, > 0), for spectral renderers; 0 for
-    /// NaN. Beyond 380-780 nm indices are those at the ends of that range. Allocates.
+    /// Reflectance of unpolarised light from the ambient's side at one vacuum wavelength (nm, > 0), for spectral
+    /// renderers; 0 for NaN. Named media are constant outside 380-780 nm. It allocates.
     pub fn spectrum(&self, cos_theta: f64, thickness_nm: f64, wavelength_nm: f64) -> f64 {
         if cos_theta.is_nan() || thickness_nm.is_nan() {
             return 0.0;
@@ -218,7 +219,7 @@ impl Film {
             .unpolarized_reflectance()
     }
 
-    /// The ambient medium and the base, for those who refract.
+    /// The ambient medium and the base, for callers that refract directions themselves.
     pub fn half_spaces(&self) -> [&Medium; 2] {
         [&self.description.ambient, &self.description.base]
     }
