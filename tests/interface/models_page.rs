@@ -21,8 +21,16 @@ fn range(param: &ParamInfo) -> (String, String) {
     }
 }
 
-/// The choices with which a parameter has an effect; empty if it always has.
-fn used_with(info: &ModelInfo, param: &ParamInfo) -> String {
+/// The choices with which a parameter has an effect; empty if it always has. A film's thickness has one
+/// where the model takes a film.
+fn used_with(info: &ModelInfo, index: usize) -> String {
+    let with_film = info.film_choice.as_slice();
+    let film_cases = [with_film];
+    let cases = if info.film_thickness == Some(index) && !with_film.is_empty() {
+        &film_cases
+    } else {
+        info.params[index].used_with
+    };
     let made = |made: &Choice| {
         let decider = &info.params[made.param];
         let ParamKind::Choice { choices } = decider.kind else {
@@ -30,8 +38,7 @@ fn used_with(info: &ModelInfo, param: &ParamInfo) -> String {
         };
         format!("`{}` {}", decider.name, choices[made.choice])
     };
-    let cases = param
-        .used_with
+    let cases = cases
         .iter()
         .map(|case| case.iter().map(made).collect::<Vec<_>>().join(" and "));
     cases.collect::<Vec<_>>().join("; or ")
@@ -66,7 +73,7 @@ fn section(entry: &RegisteredModel) -> String {
             "| `{}` | {components} | {} | {range} | {default} | {vary} | {} | {} |",
             param.name,
             param.unit,
-            used_with(info, param),
+            used_with(info, index),
             param.summary
         )
         .unwrap();
