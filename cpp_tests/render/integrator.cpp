@@ -216,8 +216,8 @@ Rgb trace(const Beam &beam, const World &world, const Environment &environment, 
 
 Rgb radiance(const Ray &ray, const World &world, const Environment &environment, const PathSettings &settings,
              Sampler &sampler, FirstHit &firstHit) {
-    // A bubble's two walls and what is seen in them; more would cost more than the noise that it spares.
-    constexpr int splits = 3;
+    // Four surfaces: both elements of a lens, or a bubble in front of another.
+    constexpr int splits = 4;
     return trace({ray, Rgb(1), 0, splits}, world, environment, settings, sampler, firstHit);
 }
 
