@@ -7,7 +7,7 @@ use glam::Vec3;
 use pellicle::bsdf::{Values, models};
 use pellicle::film::{Film, FilmDescription};
 use pellicle::optics::Medium;
-use pellicle::{Bsdf, Description};
+use pellicle::{Bsdf, Call, Description};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::hint::black_box;
@@ -78,14 +78,19 @@ fn measure(criterion: &mut Criterion, inputs: &mut Inputs, name: &str, bsdf: &Bs
         });
     };
     run("eval", &|wo, wi| {
-        black_box(bsdf.eval(wo, wi, v));
+        black_box(bsdf.eval(wo, wi, v, &Call::default()));
     });
     run("eval_pdf", &|wo, wi| {
-        black_box(bsdf.eval_pdf(wo, wi, v));
+        black_box(bsdf.eval_pdf(wo, wi, v, &Call::default()));
     });
     // A direction's components in [0, 1) do as uniform numbers here.
     run("sample", &|wo, wi| {
-        black_box(bsdf.sample(wo, wi.abs().min(Vec3::splat(0.999_999)), v));
+        black_box(bsdf.sample(
+            wo,
+            wi.abs().min(Vec3::splat(0.999_999)),
+            v,
+            &Call::default(),
+        ));
     });
     group.finish();
 }
@@ -167,7 +172,7 @@ fn bench_microfacets(criterion: &mut Criterion) {
                         || inputs.chunk(),
                         |chunk| {
                             for (wo, wi) in chunk {
-                                black_box(bsdf.eval(wo, wi, None));
+                                black_box(bsdf.eval(wo, wi, None, &Call::default()));
                             }
                         },
                         BatchSize::LargeInput,

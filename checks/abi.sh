@@ -1,9 +1,10 @@
 # The binary interface, compared by abidiff with the description that is kept: functions, and the layouts of
-# all structs. After a change on purpose `./x check abi --renew` writes it anew.
+# all structs. After a change on purpose `./x check abi --renew` writes it anew. While PELLICLE_ABI_VERSION is 0
+# the interface may change, so nothing older is compared with: no program of an earlier header has to run.
 #
-# What is described is a library of the header's own functions, without contents: so it is there in a second
-# and small. That the header is the Rust side's is tested by tests/header.rs, that the library exports its
-# functions by the stage `symbols`.
+# What is described is a library of the header's own functions, without contents: it is small and built in a
+# second. tests/header.rs tests that the header is what the Rust sources generate, the stage `symbols` that the
+# library exports its functions.
 need_tool abidw abigail-tools
 need_tool abidiff abigail-tools
 need_tool cc gcc

@@ -1,32 +1,32 @@
-//! What can go wrong, and how it is said.
+//! Errors: a status for programs and a message for people.
 
 use std::borrow::Cow;
 use std::fmt;
 
-/// The kind of a failure; the C interface returns its number.
+/// The kind of a failure. Its number is what the C interface returns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Status {
-    /// A NULL pointer, a wrong count, overlapping or contradictory arguments.
+    /// A pointer is NULL, a count is wrong, or arguments overlap or contradict each other.
     InvalidArgument = 1,
-    /// A model, parameter or choice of that name does not exist.
+    /// Nothing of that name exists: a model, a parameter, a choice, a medium, a method or a level.
     UnknownName = 2,
     /// A number is outside its range, or NaN or infinite.
     OutOfRange = 3,
-    /// This build does not offer what was asked for.
+    /// The request is valid, but this version, this processor or the chosen method does not offer it.
     Unsupported = 4,
     /// An allocation failed.
     OutOfMemory = 5,
-    /// A defect of the library itself.
+    /// The library has a defect.
     Internal = 6,
 }
 
-/// A failure: its kind, and a sentence that names the parameter, the value and what is allowed.
+/// A failure: its kind, and a message that names the parameter, its value and what is allowed.
 #[derive(Clone, Debug)]
 pub struct Error {
-    /// The kind.
+    /// The kind of the failure.
     pub status: Status,
-    /// The sentence.
+    /// The message, one sentence.
     pub message: Cow<'static, str>,
 }
 
@@ -50,7 +50,8 @@ impl Error {
         Self::new(Status::Unsupported, message)
     }
 
-    /// An empty vector with room for so many, or "no memory for `what` of `bytes` bytes".
+    /// An empty vector with room for `count` elements. If there is no memory, the message is "no memory for
+    /// `what` of ... bytes".
     pub(crate) fn reserve<T>(count: usize, what: &str) -> Result<Vec<T>, Self> {
         let mut vector = Vec::new();
         vector.try_reserve_exact(count).map_err(|_| {
@@ -61,7 +62,7 @@ impl Error {
         Ok(vector)
     }
 
-    /// "unknown `kind` 'name'; known: a, b, c"
+    /// An error with the message "unknown `kind` '`name`'; known: a, b, c".
     pub(crate) fn unknown<'a>(
         kind: &str,
         name: &str,

@@ -47,11 +47,11 @@ unsafe impl GlobalAlloc for Failing {
     }
 }
 
-/// How many large allocations a creation makes. Then one of them fails: the first ones, the last, and one
+/// Counts the large allocations of a creation. Then one of them fails: one of the first, the last, or one
 /// between.
 fn fail_some<T>(
     create: impl Fn(&mut *mut T) -> PellicleStatus,
-    release: unsafe extern "C" fn(*mut T),
+    release: unsafe extern "C" fn(*const T),
 ) -> usize {
     let untouched: *mut T = std::ptr::dangling_mut();
     let make_and_release = || {
@@ -102,15 +102,17 @@ fn medium(eta: f32, k: f32) -> PellicleMedium {
 /// A layer of 0 to 3000 nm on a base: how many tables there are, in the making and kept.
 fn tables(layer: PellicleMedium, base: PellicleMedium, transmittance: u32) -> usize {
     let layer = PellicleLayer {
-        medium: layer,
+        medium: &layer,
         thickness_min_nm: 0.0,
         thickness_max_nm: 3000.0,
     };
     // SAFETY: 0 is valid for numbers and pointers.
     let mut desc: PellicleFilmDesc = unsafe { std::mem::zeroed() };
+    desc.medium_size = size_of_val(&base);
+    desc.layer_size = size_of_val(&layer);
     desc.layers = &layer;
     desc.layer_count = 1;
-    desc.base = base;
+    desc.base = &base;
     desc.tolerance = 5e-4;
     desc.transmittance = transmittance;
     // SAFETY: a valid description.

@@ -77,11 +77,27 @@ std::vector<float> with_component(const PellicleModelParam &param, std::uint32_t
     return values;
 }
 
-// Every other number at its least, so that limits on sums (albedos, weights) stay out of the way.
+// A choice with which a parameter has an effect; nothing if it has one by default. The last one is taken: it is the
+// most general (a conductor takes indices below 1, a dielectric none).
+std::vector<PellicleParam> enabling_choice(const support::Model &model, const PellicleModelParam &param) {
+    if (support::has_effect(model, param)) return {};
+    for (const PellicleModelParam &other : model.params)
+        for (std::uint32_t i = other.choice_count; i-- > 0;) {
+            if (other.name == param.name || std::string_view(other.choices[i]) == "film") continue;
+            const std::vector<PellicleParam> choices = {choice(other.name, other.choices[i])};
+            if (support::has_effect(model, param, choices)) return choices;
+        }
+    FAIL("no choice gives it an effect: ", std::string(param.name));
+    return {};
+}
+
+// That choice, and every other number that has an effect then at its least, so that limits on sums (albedos,
+// weights) stay out of the way.
 std::vector<PellicleParam> others_least(const support::Model &model, const PellicleModelParam &kept) {
-    std::vector<PellicleParam> params;
+    const std::vector<PellicleParam> enabling = enabling_choice(model, kept);
+    std::vector<PellicleParam> params = enabling;
     for (const PellicleModelParam &param : model.params)
-        if (param.kind == PELLICLE_KIND_NUMBER && param.name != kept.name)
+        if (param.kind == PELLICLE_KIND_NUMBER && param.name != kept.name && support::has_effect(model, param, enabling))
             params.push_back({param.name, &param.min, 1, nullptr});
     return params;
 }
@@ -129,8 +145,11 @@ TEST_CASE("names: an unknown choice is refused with the list of choices, a known
             const PellicleParam known = choice(param.name, param.choices[i]);
             if (std::string_view(param.choices[i]) == "film")
                 CHECK_REFUSED(create(model.info.name, {known}), PELLICLE_INVALID_ARGUMENT, "film");
-            else
-                CHECK_EQ(create(model.info.name, {known}), PELLICLE_OK);
+            else {
+                std::vector<PellicleParam> params = enabling_choice(model, param);
+                params.push_back(known);
+                CHECK_EQ(create(model.info.name, params), PELLICLE_OK);
+            }
         }
     });
 }

@@ -85,6 +85,25 @@ pellicle::BsdfBuilder builder(const Model &model) {
     return result;
 }
 
+static bool is_thickness(const PellicleModelParam &param) { return param.name == std::string("thickness_nm"); }
+
+bool has_effect(const Model &model, const PellicleModelParam &param, std::vector<PellicleParam> choices) {
+    PellicleParam own = {param.name, param.default_value, param.components, nullptr};
+    if (param.kind == PELLICLE_KIND_CHOICE) own = {param.name, nullptr, 0, param.choices[0]};
+    choices.push_back(own);
+    if (model.film_param) choices.push_back({model.film_param, nullptr, 0, "film"});
+    PellicleBsdfDesc desc{};
+    desc.model = model.info.name;
+    desc.params = choices.data();
+    desc.param_count = choices.size();
+    const pellicle::Film film = film_for(model, is_thickness(param));
+    desc.film = film.raw();
+    PellicleBsdf *bsdf = nullptr;
+    const PellicleStatus status = pellicle_bsdf_create(&desc, sizeof desc, &bsdf);
+    pellicle_bsdf_release(bsdf);
+    return status == PELLICLE_OK || !message_has("no effect");
+}
+
 std::size_t bytes_in_use() {
     return mallinfo2().uordblks;
 }
@@ -99,7 +118,6 @@ PellicleStatus create_film(const PellicleFilmDesc &desc) {
     return status;
 }
 
-static bool is_thickness(const PellicleModelParam &param) { return param.name == std::string("thickness_nm"); }
 
 // That of the parameter whose choice makes the model take a film, or NULL.
 static const char *name_of_film_choice(const Model &model) {
@@ -147,7 +165,7 @@ Varying::Varying(const Model &model) {
     builder.film(film_for(model, true)).simd_level(simd_level());
     if (model.film_param) builder.choose(model.film_param, "film");
     for (const PellicleModelParam &param : model.params) {
-        if (!param.can_vary) continue;
+        if (!param.can_vary || !has_effect(model, param)) continue;
         components_.push_back(param.components);
         if (param.kind == PELLICLE_KIND_DIRECTION) {
             builder.vary(param.name, 0.0f, 0.0f);

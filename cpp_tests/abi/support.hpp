@@ -73,6 +73,9 @@ std::vector<Model> models();
 // The same, and those that can take a film without needing one a second time, with their film.
 std::vector<Model> models_with_and_without_film();
 
+// Whether a parameter has an effect with these choices; the library refuses one that has none.
+bool has_effect(const Model &model, const PellicleModelParam &param, std::vector<PellicleParam> choices = {});
+
 // The film for a BSDF, if its model takes one: that with a varying thickness if one is stated.
 pellicle::Film film_for(const Model &model, bool has_thickness);
 

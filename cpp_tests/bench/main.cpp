@@ -7,6 +7,7 @@
 #include "contender.hpp"
 #include "film.hpp"
 #include "plain.hpp"
+#include "virtual_calls.hpp"
 
 #include <pellicle.hpp>
 
@@ -204,6 +205,10 @@ int main() {
     print_times(contenders);
     if (!print_differences(inputs)) {
         std::fprintf(stderr, "plain C++ and pellicle differ by more than %g of the greatest value\n", allowed_difference);
+        return 1;
+    }
+    if (!bench_virtual_calls()) {
+        std::fprintf(stderr, "a virtual C++ function and pellicle disagree\n");
         return 1;
     }
     if (!bench_films()) {

@@ -29,7 +29,7 @@ foreach(layout_and_libdir IN LISTS consumer_layouts)
 
     add_test(NAME package.install.${layout}
         COMMAND "${consumer_dir}/install_and_move.sh" "${CMAKE_COMMAND}" "${PROJECT_SOURCE_DIR}"
-            "${PELLICLE_CARGO_TARGET_DIR}" ${libdir} "${work}")
+            "${PELLICLE_CARGO_TARGET_DIR}" ${libdir} ${pellicle_soname} "${work}")
     set_tests_properties(package.install.${layout} PROPERTIES FIXTURES_SETUP prefix.${layout})
 
     add_consumer_test(package.cmake.${layout} ${layout}
@@ -38,7 +38,8 @@ foreach(layout_and_libdir IN LISTS consumer_layouts)
             --build-options "-Dpellicle_ROOT=${prefix}"
             --test-command "${CMAKE_CTEST_COMMAND}" --output-on-failure)
     add_consumer_test(package.pkg-config.${layout} ${layout}
-        "${consumer_dir}/with_pkg_config.sh" "${prefix}/${libdir}" "${work}/pkg-config")
+        "${consumer_dir}/with_pkg_config.sh" "${prefix}/${libdir}" ${pellicle_soname}
+            "${work}/pkg-config")
     add_consumer_test(example.c.cmake.${layout} ${layout}
         "${CMAKE_CTEST_COMMAND}" --build-and-test "${PROJECT_SOURCE_DIR}/examples/c" "${work}/example"
             --build-generator "${CMAKE_GENERATOR}"
@@ -48,6 +49,16 @@ foreach(layout_and_libdir IN LISTS consumer_layouts)
         "${consumer_dir}/compile_and_run.sh" "${prefix}/${libdir}"
             "${PROJECT_SOURCE_DIR}/examples/c/minimal.c" "${work}/minimal")
 endforeach()
+
+# A program linked to the library where cargo puts it starts: the library has its run-time name beside it.
+add_test(NAME package.cargo
+    COMMAND "${consumer_dir}/with_cargo.sh" "${pellicle_cargo_output}" "${PROJECT_SOURCE_DIR}/include"
+        "${CMAKE_CURRENT_BINARY_DIR}/consumer/with-cargo")
+# A parent that adds pellicle as a subproject: it builds in the parent's folder and installs if asked.
+add_test(NAME package.subproject
+    COMMAND "${consumer_dir}/as_subproject.sh" "${CMAKE_COMMAND}" "${PROJECT_SOURCE_DIR}"
+        "${PELLICLE_CARGO_TARGET_DIR}" "${CMAKE_CURRENT_BINARY_DIR}/consumer/subproject")
+set_tests_properties(package.cargo package.subproject PROPERTIES ENVIRONMENT "${consumer_environment}")
 
 # The C++ example renders: one layout is enough, it takes some seconds.
 add_consumer_test(example.cpp.cmake plain

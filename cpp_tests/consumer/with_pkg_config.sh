@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds and runs the consumers with pkg-config alone, shared and static.
-# Usage: with_pkg_config.sh <library directory> <work>; CC, CXX and PKG_CONFIG from the environment.
+# Usage: with_pkg_config.sh <library directory> <soname> <work>; CC, CXX and PKG_CONFIG from the environment.
 set -euo pipefail
-libdir=$1 work=$2
+libdir=$1 soname=$2 work=$3
 here=$(dirname "${BASH_SOURCE[0]}")
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 
@@ -19,7 +19,7 @@ for linkage in shared static; do
     "$CC" -std=c99 "${warnings[@]}" "${cflags[@]}" "$here/use.c" "${libs[@]}" -o "$work/use_c_$linkage"
     "$CXX" -std=c++17 "${warnings[@]}" "${cflags[@]}" "$here/use.cpp" "${libs[@]}" -o "$work/use_cpp_$linkage"
     for program in "$work/use_c_$linkage" "$work/use_cpp_$linkage"; do
-        "$here/check_linkage.sh" "$linkage" "$program"
+        "$here/check_linkage.sh" "$linkage" "$program" "$soname"
         LD_LIBRARY_PATH="$libdir" "$program"
     done
 done
@@ -29,4 +29,4 @@ done
 "$work/use_c_listed"
 
 "$CC" -std=c99 "${warnings[@]}" "${cflags[@]}" "$here/load.c" -ldl -o "$work/load"
-"$work/load" "$libdir/libpellicle.so.1"
+"$work/load" "$libdir/$soname"

@@ -1,11 +1,10 @@
-// Light from infinitely far away, given by the six faces of a cube.
+// Six images of a cube's faces, as light from infinitely far away.
 #pragma once
 
-#include "distribution.hpp"
-#include "image_file.hpp"
-#include "light_sample.hpp"
+#include "lat_long.hpp"
 
 #include <array>
+#include <string>
 
 namespace render {
 
@@ -17,9 +16,6 @@ struct CubeMap {
     int size;
     std::array<std::vector<Rgb>, 6> faces;
 };
-
-/// The faces' names, as they end the file's.
-extern const std::array<const char *, 6> cubeFaceNames;
 
 /// The six images PREFIXpx.*, PREFIXnx.* and so on, of any format that OpenImageIO reads, converted to
 /// linear colours. A prefix that ends in "/" is a directory. Throws std::runtime_error if a face is
@@ -53,28 +49,7 @@ CubeMap drawCube(int size, const Radiance &radiance) {
     return map;
 }
 
-class CubeLight {
-public:
-    explicit CubeLight(const CubeMap &map);
-
-    /// Bilinear between the centres of the texels, those of the neighbouring faces included:
-    /// continuous over edges and corners.
-    Rgb radiance(const V3f &direction) const;
-
-    LightSample sample(const V2f &u) const;
-    float pdf(const V3f &direction) const;
-
-private:
-    Rgb &texel(int face, int column, int row);
-    const Rgb &texel(int face, int column, int row) const;
-    void addBorders();
-    Rgb radianceAt(const CubePoint &point) const;
-    float pdfAt(const CubePoint &point, int column, int row) const;
-
-    int size_;
-    std::vector<Rgb> texels_;           ///< each face with a border of one texel
-    std::vector<Distribution> columns_; ///< within each row
-    Distribution rows_{{}};             ///< of all faces
-};
+/// The same light as a latitude-longitude map with texels half as wide, bilinear within each face.
+LatLongMap unrolled(const CubeMap &map);
 
 } // namespace render

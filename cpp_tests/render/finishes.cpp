@@ -1,6 +1,5 @@
-// The finishes of maps.hpp and bake.hpp.
+// The finishes of maps.hpp.
 
-#include "bake.hpp"
 #include "maps.hpp"
 #include "noise.hpp"
 
@@ -107,19 +106,18 @@ Finish stoneSlabs(const V2f &uv) {
     return {mix(stone, joint, mortar), 0, lerp(0.42f + 0.3f * rough, 0.9f, mortar), height};
 }
 
-Finish patinatedBronze(const BakePoint &point) {
-    const V3f &p = point.position;
+Finish patinatedBronze(const V3f &p, const V3f &normal) {
     const float large = fractalNoise01(p * 2.3f + V3f(4.1f, 0.6f, 7.7f), 4).value;
     const float fine = fractalNoise01(p * 11 + V3f(1.3f, 9.2f, 3.8f), 4).value;
     const float grain = fractalNoise01(p * 34 + V3f(6.6f, 2.5f, 0.4f), 2).value;
 
-    // Hands and cloths polish what sticks out; rain leaves its green where it stays and where it runs.
+    // Rain leaves its green where it stays and where it runs.
     const float run = fractalNoise01(V3f(p.x * 7, p.y * 0.9f, p.z * 7) + V3f(2.9f, 5.4f, 8.3f), 4).value;
-    const float wet = 0.42f * point.hollowness + 0.95f * (large - 0.5f) + 0.75f * (run - 0.5f) +
-                      0.30f * std::max(point.normal.y, 0.0f) + 0.25f * (fine - 0.5f);
+    const float wet = 0.95f * (large - 0.5f) + 0.75f * (run - 0.5f) +
+                      0.30f * std::max(normal.y, 0.0f) + 0.25f * (fine - 0.5f);
     const float green = smoothstep(0.16f, 0.42f, wet);
     const float polish =
-        smoothstep(0.1f, 0.9f, -0.7f * point.hollowness - 0.8f * (large - 0.5f) + 0.3f * (fine - 0.5f));
+        smoothstep(0.1f, 0.9f, -0.8f * (large - 0.5f) + 0.3f * (fine - 0.5f));
 
     const Rgb brown = mix(Rgb(0.20f, 0.105f, 0.05f), Rgb(0.33f, 0.18f, 0.08f), fine);
     const Rgb bronze(0.78f, 0.50f, 0.24f);
@@ -127,7 +125,7 @@ Finish patinatedBronze(const BakePoint &point) {
         mix(Rgb(0.10f, 0.30f, 0.235f), Rgb(0.30f, 0.52f, 0.43f), 0.65f * fine + 0.35f * grain);
     return {mix(mix(brown, bronze, polish), verdigris, green), 1 - green,
             lerp(lerp(0.42f + 0.12f * fine, 0.22f + 0.1f * fine, polish), 0.82f, green),
-            0.0030f * green * (0.4f + grain) + 0.0022f * (fine - 0.5f)};
+            0};
 }
 
 } // namespace render

@@ -1,13 +1,14 @@
 #include "gallery.hpp"
 
 #include "chart.hpp"
-#include "environment_chart.hpp"
+#include "cube_map.hpp"
 #include "progress.hpp"
 #include "render.hpp"
 #include "scenes.hpp"
 #include "sheet.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -22,12 +23,13 @@ namespace fs = std::filesystem;
 constexpr const char *mapsDirectory = "maps";
 
 constexpr int chartWidth = 500, chartHeight = 250;
-/// Of a chart's work, in pixels of a picture: it goes by unnoticed.
-constexpr double chartWork = 1;
 
-/// Of the spheres that show an environment, and the work of all, in pixels of a picture.
-constexpr int environmentSphereSize = 128;
-constexpr double environmentWork = 4e5;
+/// Without --all and --scene: a first look in half a minute. The hero is 640 x 360.
+struct FirstLook {
+    const char *chapter;
+    int size, samplesPerPixel;
+};
+constexpr FirstLook firstLook[] = {{"hero", 128, 16}, {"paper", 192, 16}};
 
 void list(const std::string &name, std::string caption) {
     for (std::size_t i; (i = caption.find('\n')) != std::string::npos;)
@@ -35,10 +37,31 @@ void list(const std::string &name, std::string caption) {
     std::printf("%-20s %s\n", name.c_str(), caption.c_str());
 }
 
-/// Those of `all` that are named, each name crossed off; all if there are no names.
+/// A chapter of which some scenes are rendered.
+struct Job {
+    Chapter chapter;
+    int size, samplesPerPixel;
+    bool effort; ///< scenes take their multiple of the samples
+
+    int samplesOf(const Scene &scene) const {
+        const float share = effort ? scene.effort : 1;
+        return std::max(1, static_cast<int>(static_cast<float>(samplesPerPixel) * share));
+    }
+
+    V2i pixelsOf(const V2f &extent) const {
+        const auto pixels = [&](float side) { return static_cast<int>(std::lround(side * static_cast<float>(size))); };
+        return {pixels(extent.x), pixels(extent.y)};
+    }
+};
+
+struct Choice {
+    std::vector<Job> jobs;
+    std::vector<Chart> charts;
+};
+
+/// The scenes of `all` that are named, each name crossed off.
 template <typename T>
-std::vector<T> chosen(const std::vector<T> &all, bool everything, std::vector<std::string> &names) {
-    if (everything) return all;
+std::vector<T> named(const std::vector<T> &all, std::vector<std::string> &names) {
     std::vector<T> list;
     for (const T &item : all) {
         const auto rest = std::remove(names.begin(), names.end(), item.name);
@@ -48,21 +71,25 @@ std::vector<T> chosen(const std::vector<T> &all, bool everything, std::vector<st
     return list;
 }
 
-struct Choice {
-    std::vector<Chapter> chapters;
-    std::vector<EnvironmentChart> environments;
-    std::vector<Chart> charts;
-};
-
-Choice choose(std::vector<std::string> names) {
-    const bool everything = names.empty();
+Choice choose(const Options &options) {
     Choice choice;
-    for (const Chapter &chapter : chapters())
-        choice.chapters.push_back({chapter.columns, chosen(chapter.scenes, everything, names)});
-    choice.environments = chosen(environmentCharts(), everything, names);
-    choice.charts = chosen(charts(), everything, names);
-    if (!names.empty())
-        throw std::runtime_error("there is no scene \"" + names.front() + "\"; --list shows those there are");
+    if (options.all || !options.scenes.empty()) {
+        std::vector<std::string> names = options.scenes;
+        for (Chapter chapter : chapters()) {
+            if (!options.all) chapter.scenes = named(chapter.scenes, names);
+            if (!chapter.scenes.empty())
+                choice.jobs.push_back({chapter, *options.size, *options.samplesPerPixel, true});
+        }
+        choice.charts = options.all ? charts() : named(charts(), names);
+        if (!names.empty())
+            throw std::runtime_error("there is no scene \"" + names.front() + "\"; --list shows those there are");
+        return choice;
+    }
+    for (const FirstLook &look : firstLook)
+        for (const Chapter &chapter : chapters())
+            if (chapter.name == look.chapter)
+                choice.jobs.push_back({chapter, options.size.value_or(look.size),
+                                       options.samplesPerPixel.value_or(look.samplesPerPixel), false});
     return choice;
 }
 
@@ -78,43 +105,37 @@ class Gallery {
 public:
     explicit Gallery(const Options &options)
         : options_(options),
-          choice_(choose(options.scenes)),
+          choice_(choose(options)),
           subject_(readSubject(options.mesh, options.out / mapsDirectory)) {
         if (!options.environment.empty()) given_.emplace(readLatLongMap(options.environment));
-        if (!options.cubeMap.empty()) given_.emplace(readCubeMap(options.cubeMap));
+        if (!options.cubeMap.empty()) given_.emplace(unrolled(readCubeMap(options.cubeMap)));
         makeDirectory(options.out);
     }
 
-    /// How many files there are to look at.
-    std::size_t render() {
+    void render() {
         Progress progress(totalWork());
-        std::vector<Section> sections;
-        for (const Chapter &chapter : choice_.chapters) sections.push_back(chapterInSection(chapter, progress));
-        sections.push_back(environmentsInSection(progress));
-        sections.push_back(chartsInSection(progress));
-        writePng(contactSheet(sections), options_.out / "gallery.png");
-        return written_;
+        for (const Job &job : choice_.jobs) {
+            Section section{job.chapter.columns, 1, {}};
+            for (const Scene &scene : job.chapter.scenes) {
+                const V2f &extent = scene.views.extents.front();
+                section.aspect = extent.y / extent.x;
+                section.cells.push_back(
+                    {scene.caption, pictures(job, scene, progress), scene.labels.columns, scene.labels.rows});
+            }
+            writeSheet(job.chapter.name, section);
+        }
+        drawCharts(progress);
     }
 
 private:
-    V2i sizeOf(const V2f &extent) const {
-        const auto pixels = [&](float side) {
-            return static_cast<int>(std::lround(side * static_cast<float>(options_.size)));
-        };
-        return {pixels(extent.x), pixels(extent.y)};
-    }
-
     double totalWork() const {
-        double work = chartWork * static_cast<double>(choice_.charts.size()) +
-                      environmentWork * static_cast<double>(choice_.environments.size());
-        for (const Chapter &chapter : choice_.chapters) {
-            for (const Scene &scene : chapter.scenes) {
+        double work = static_cast<double>(choice_.charts.size());
+        for (const Job &job : choice_.jobs)
+            for (const Scene &scene : job.chapter.scenes)
                 for (const V2f &extent : scene.views.extents) {
-                    const V2i size = sizeOf(extent);
-                    work += static_cast<double>(size.x) * size.y * scene.effort;
+                    const V2i pixels = job.pixelsOf(extent);
+                    work += static_cast<double>(pixels.x) * pixels.y * job.samplesOf(scene);
                 }
-            }
-        }
         return work;
     }
 
@@ -125,80 +146,72 @@ private:
         return environments_.emplace(lighting, render::environmentOf(lighting, subject_.directory)).first->second;
     }
 
-    Section chapterInSection(const Chapter &chapter, Progress &progress) {
-        Section section{chapter.columns, 1, {}};
-        for (const Scene &scene : chapter.scenes) {
-            const V2f &extent = scene.views.extents.front();
-            section.aspect = extent.y / extent.x;
-            section.cells.push_back(
-                {scene.caption, pictures(scene, progress), scene.labels.columns, scene.labels.rows});
-        }
-        return section;
-    }
-
-    std::vector<OIIO::ImageBuf> pictures(const Scene &scene, Progress &progress) {
+    std::vector<OIIO::ImageBuf> pictures(const Job &job, const Scene &scene, Progress &progress) {
+        using Clock = std::chrono::steady_clock;
         RenderSettings settings;
-        settings.samplesPerPixel =
-            std::max(1, static_cast<int>(static_cast<float>(options_.samplesPerPixel) * scene.effort));
+        settings.samplesPerPixel = job.samplesOf(scene);
         settings.seed = options_.seed;
         settings.threads = options_.threads;
         settings.path.indirectLimit = 2;
         settings.path.maxBounces = scene.maxBounces;
 
         std::vector<OIIO::ImageBuf> shown;
+        Clock::time_point start = Clock::now();
         progress.label(scene.name);
         const std::vector<View> views = scene.views.make(subject_);
-        for (std::size_t i = 0; i < views.size(); ++i) {
+        for (std::size_t i = 0; i < views.size(); ++i, start = Clock::now()) {
             const View &view = views[i];
-            const V2i size = sizeOf(scene.views.extents.at(i));
-            settings.width = size.x;
-            settings.height = size.y;
-            const std::string name = scene.name + "." + view.name;
+            const V2i pixels = job.pixelsOf(scene.views.extents.at(i));
+            settings.width = pixels.x;
+            settings.height = pixels.y;
+            const std::string name = view.name.empty() ? scene.name : scene.name + "." + view.name;
             progress.label(name);
             const Picture picture =
-                renderPicture(*view.world, environmentOf(scene.lighting), view.camera, settings,
-                              [&](int done) { progress.advance(static_cast<double>(done) * scene.effort); });
+                renderPicture(*view.world, environmentOf(scene.lighting), view.camera, settings, [&](int done) {
+                    progress.advance(static_cast<double>(done) * settings.samplesPerPixel);
+                });
             writeExr(picture, options_.out / (name + ".exr"));
-            shown.push_back(display(picture, scene.exposure));
+            shown.push_back(scene.photograph ? photograph(picture, scene.exposure)
+                                             : display(picture, scene.exposure));
             writePng(shown.back(), options_.out / (name + ".png"));
-            ++written_;
+            tell(name + ".png", pixels, settings.samplesPerPixel,
+                 std::chrono::duration<double>(Clock::now() - start).count());
         }
         return shown;
     }
 
-    /// Writes a chart and puts it on the sheet.
-    void add(Section &section, const std::string &name, const std::string &caption, const OIIO::ImageBuf &linear,
-             const OIIO::ImageBuf &shown) {
-        writeExr(linear, options_.out / (name + ".exr"));
-        writePng(shown, options_.out / (name + ".png"));
-        section.aspect = static_cast<float>(shown.spec().height) / static_cast<float>(shown.spec().width);
-        section.cells.push_back({caption, {shown}, {}, {}});
-        ++written_;
+    void tell(const std::string &file, V2i pixels, int samples, double seconds) const {
+        std::printf("%s: %d x %d, %d samples a pixel, %.1f s\n", (options_.out / file).c_str(), pixels.x, pixels.y,
+                    samples, seconds);
+        std::fflush(stdout);
     }
 
-    Section environmentsInSection(Progress &progress) {
-        Section section{1, 0.5f, {}};
-        if (choice_.environments.empty()) return section;
-        const AlbedoTable albedo(options_.threads);
-        for (const EnvironmentChart &chart : choice_.environments) {
-            progress.label(chart.name);
-            const EnvironmentSpheres spheres =
-                environmentSpheres(chart, albedo, environmentSphereSize, subject_.directory, options_.threads);
-            add(section, chart.name, chart.caption, spheres.radiance, displaySpheres(spheres, chart.exposure));
-            progress.advance(environmentWork);
-        }
-        return section;
+    /// The pictures of a chapter with their captions. A single picture needs none.
+    void writeSheet(const std::string &name, const Section &section) {
+        const bool single = section.cells.size() == 1 && section.cells.front().pictures.size() == 1 &&
+                            section.cells.front().columns.empty();
+        const OIIO::ImageBuf sheet = single ? section.cells.front().pictures.front() : contactSheet(section);
+        const fs::path directory = options_.out / "gallery";
+        makeDirectory(directory);
+        writeJpeg(sheet, directory / (name + ".jpg"));
+        std::printf("%s\n", (directory / (name + ".jpg")).c_str());
     }
 
-    Section chartsInSection(Progress &progress) {
+    void drawCharts(Progress &progress) {
+        if (choice_.charts.empty()) return;
         Section section{3, 0.5f, {}};
         for (const Chart &chart : choice_.charts) {
             progress.label(chart.name);
             const OIIO::ImageBuf linear = reflectanceChart(chart.stack, chartWidth, chartHeight);
-            add(section, chart.name, chart.caption, linear, displayChart(linear, chart.exposure));
-            progress.advance(chartWork);
+            const OIIO::ImageBuf shown = displayChart(linear, chart.exposure);
+            writeExr(linear, options_.out / (chart.name + ".exr"));
+            writePng(shown, options_.out / (chart.name + ".png"));
+            section.aspect = static_cast<float>(shown.spec().height) / static_cast<float>(shown.spec().width);
+            section.cells.push_back({chart.caption, {shown}, {}, {}});
+            std::printf("%s\n", (options_.out / (chart.name + ".png")).c_str());
+            progress.advance(1);
         }
-        return section;
+        writeSheet("newton", section);
     }
 
     const Options &options_;
@@ -206,7 +219,6 @@ private:
     const Subject subject_;
     std::optional<Environment> given_; ///< by the user, for all scenes
     std::map<Lighting, Environment> environments_;
-    std::size_t written_ = 0;
 };
 
 } // namespace
@@ -214,14 +226,9 @@ private:
 void listGallery() {
     for (const Chapter &chapter : chapters())
         for (const Scene &scene : chapter.scenes) list(scene.name, scene.caption);
-    for (const EnvironmentChart &chart : environmentCharts()) list(chart.name, chart.caption);
     for (const Chart &chart : charts()) list(chart.name, chart.caption);
 }
 
-void renderGallery(const Options &options) {
-    const std::size_t count = Gallery(options).render();
-    std::printf("%zu pictures (.png to look at, .exr linear) and gallery.png are in %s\n", count,
-                fs::absolute(options.out).lexically_normal().c_str());
-}
+void renderGallery(const Options &options) { Gallery(options).render(); }
 
 } // namespace render

@@ -12,14 +12,13 @@ ImportanceSampling::ImportanceSampling(const Environment &environment, pellicle:
 
 Rgb ImportanceSampling::reflected(const Frame &frame, const V3f &toViewer, std::uint32_t seed) const {
     const V3f wo = frame.toLocal(toViewer);
-    Sampler sampler({1, 1}, pairs_, seed);
+    Sampler sampler(pairs_, seed);
     Rgb sum(0);
     for (int i = 0; i < pairs_; ++i) {
         sampler.start({0, 0}, i);
-        const float lobe = sampler.next1d();
-        const V2f direction = sampler.next2d();
-        sum += fromBsdf(frame, wo, V3f(lobe, direction.x, direction.y));
-        if (!onlyDirac_) sum += fromLight(frame, wo, sampler.next2d());
+        const Sampler::Numbers numbers = sampler.next();
+        sum += fromBsdf(frame, wo, V3f(numbers[2], numbers[0], numbers[1]));
+        if (!onlyDirac_) sum += fromLight(frame, wo, sampler.next(1).at2d(0));
     }
     return sum / static_cast<float>(pairs_);
 }

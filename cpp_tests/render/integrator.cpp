@@ -3,6 +3,7 @@
 #include "normal_map.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace render {
 namespace {
@@ -70,6 +71,24 @@ public:
         return {toLight, weight, s.pdf, (s.flags & PELLICLE_DELTA) != 0};
     }
 
+    /// All that a transparent mirror does with the light: its reflection and its refraction, or the total
+    /// reflection. The share of the numbers that choose the first lobe is its probability, found by bisection.
+    std::vector<Sample> split() const {
+        const auto lobeAt = [&](float u) { return material_.bsdf().sample(&wo_.x, V3f(u, 0, 0).getValue(), varying_.data()).lobe; };
+        constexpr float last = 0x1.fffffep-1f;
+        const auto first = lobeAt(0);
+        if (lobeAt(last) == first) return {sample(0, V2f(0))};
+        float low = 0, high = 1;
+        for (int step = 0; step < 22; ++step) {
+            const float middle = (low + high) / 2;
+            (lobeAt(middle) == first ? low : high) = middle;
+        }
+        std::vector<Sample> both{sample(0, V2f(0)), sample(last, V2f(0))};
+        both[0].weight *= low;
+        both[1].weight *= 1 - low;
+        return both;
+    }
+
 private:
     /// The interpolated normal and the true one disagree on which side the light is.
     bool leaks(const V3f &toLight, const V3f &wi) const {
@@ -90,32 +109,15 @@ float powerHeuristic(float pdf, float otherPdf) {
     return 1 / (1 + ratio * ratio);
 }
 
-/// The number that chooses the lobe, and the reciprocal of its density.
-struct LobeChoice {
-    float u, weight;
-};
-
-/// What is seen in a transparent film is its faint reflection, lobe 0, to which pellicle gives as few
-/// samples as it has power. Squaring the number gives it the square root of that share.
-LobeChoice chooseLobe(const Shading &shading, float u) {
-    if (!(shading.onlyDirac() && shading.transmits())) return {u, 1};
-    return {u * u, 2 * u};
-}
-
 bool isBlack(const Rgb &c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
-/// Light from the environment, by `count` samples of it. They are one random point shifted along the
-/// R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), so that
-/// they are spread evenly whatever their number.
+/// Light from the environment, by `count` samples of it.
 Rgb sampleLight(const Shading &shading, const World &world, const Environment &environment,
-                Technique technique, const V2f &u, int count) {
+                Technique technique, const Sampler::Points &uniforms, int count) {
     const SurfacePoint &point = shading.point();
     Rgb sum(0);
     for (int i = 0; i < count; ++i) {
-        const float shift = static_cast<float>(i);
-        const V2f shifted(u.x + 0.7548777f * shift, u.y + 0.5698403f * shift);
-        const Environment::Sample light =
-            environment.sample({shifted.x - std::floor(shifted.x), shifted.y - std::floor(shifted.y)});
+        const Environment::Sample light = environment.sample(uniforms.at2d(i));
         if (light.pdf == 0) continue;
         const Shading::Scattering scattering = shading.eval(light.direction);
         if (isBlack(scattering.value)) continue;
@@ -127,11 +129,18 @@ Rgb sampleLight(const Shading &shading, const World &world, const Environment &e
     return sum;
 }
 
-} // namespace
+/// What the camera sees, directly or in mirrors.
+struct Beam {
+    Ray ray;
+    Rgb throughput;
+    int bounce;
+    int splits; ///< how many transparent mirrors may still be followed both ways
+};
 
-Rgb radiance(Ray ray, const World &world, const Environment &environment, const PathSettings &settings,
-             Sampler &sampler, FirstHit &firstHit) {
-    Rgb sum(0), throughput(1);
+Rgb trace(const Beam &beam, const World &world, const Environment &environment, const PathSettings &settings,
+          Sampler &sampler, FirstHit &firstHit) {
+    Ray ray = beam.ray;
+    Rgb sum(0), throughput = beam.throughput;
     // How the ray was chosen: by a BSDF with this density, or (no density) by the camera or a mirror;
     // and how many samples of the light it competes with.
     float bsdfPdf = 0;
@@ -147,7 +156,7 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
                    : light;
     };
 
-    for (int bounce = 0;; ++bounce) {
+    for (int bounce = beam.bounce;; ++bounce) {
         const std::optional<Hit> hit = world.intersect(ray);
         if (!hit) {
             float weight = 1;
@@ -165,16 +174,24 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
 
         lightSamples = inMirrors ? settings.lightSamples : 1;
         if (!shading.onlyDirac()) {
-            const V2f lightUniforms = sampler.next2d();
+            const Sampler::Points uniforms = sampler.next(lightSamples);
             if (settings.technique != Technique::bsdf)
                 sum += limited(throughput * sampleLight(shading, world, environment, settings.technique,
-                                                        lightUniforms, lightSamples),
+                                                        uniforms, lightSamples),
                                reflections);
         }
 
-        const LobeChoice lobe = chooseLobe(shading, sampler.next1d());
-        const Shading::Sample next = shading.sample(lobe.u, sampler.next2d());
-        throughput *= next.weight * lobe.weight;
+        if (inMirrors && beam.splits > 0 && shading.onlyDirac() && shading.transmits()) {
+            for (const Shading::Sample &way : shading.split())
+                if (!isBlack(way.weight))
+                    sum += trace({leaveSurface(point.position, point.geometricNormal, way.toLight),
+                                  throughput * way.weight, bounce + 1, beam.splits - 1},
+                                 world, environment, settings, sampler, firstHit);
+            return sum;
+        }
+        const Sampler::Numbers numbers = sampler.next();
+        const Shading::Sample next = shading.sample(numbers[2], {numbers[0], numbers[1]});
+        throughput *= next.weight;
         bsdfPdf = next.dirac ? 0 : next.pdf;
         inMirrors = inMirrors && next.dirac;
         if (!inMirrors) ++reflections;
@@ -190,9 +207,18 @@ Rgb radiance(Ray ray, const World &world, const Environment &environment, const 
             continue;
         }
         const float survival = std::clamp(maxComponent(throughput) / atFirst, 0.5f, 0.95f);
-        if (sampler.next1d() >= survival) return sum;
+        if (numbers[3] >= survival) return sum;
         throughput *= 1 / survival;
     }
+}
+
+} // namespace
+
+Rgb radiance(const Ray &ray, const World &world, const Environment &environment, const PathSettings &settings,
+             Sampler &sampler, FirstHit &firstHit) {
+    // A bubble's two walls and what is seen in them; more would cost more than the noise that it spares.
+    constexpr int splits = 3;
+    return trace({ray, Rgb(1), 0, splits}, world, environment, settings, sampler, firstHit);
 }
 
 } // namespace render

@@ -33,7 +33,7 @@ struct FirstHit {
 };
 
 /// An estimate of the radiance that arrives along a ray.
-Rgb radiance(Ray ray, const World &world, const Environment &environment, const PathSettings &settings,
+Rgb radiance(const Ray &ray, const World &world, const Environment &environment, const PathSettings &settings,
              Sampler &sampler, FirstHit &firstHit);
 
 } // namespace render

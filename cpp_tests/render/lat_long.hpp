@@ -3,7 +3,6 @@
 
 #include "distribution.hpp"
 #include "image_file.hpp"
-#include "light_sample.hpp"
 
 namespace render {
 
@@ -39,13 +38,25 @@ LatLongMap drawLatLong(int height, const Radiance &radiance) {
     return map;
 }
 
+/// A direction chosen by an environment's importance.
+struct LightSample {
+    V3f direction; ///< unit, towards the light
+    Rgb radiance;
+    float pdf; ///< per solid angle; 0: no sample
+};
+
 class LatLongLight {
 public:
     explicit LatLongLight(LatLongMap map);
 
+    /// The same radiance from everywhere.
+    static LatLongLight constant(const Rgb &radiance) { return LatLongLight(LatLongMap{1, 1, {radiance}}); }
+
     /// Bilinear between the centres of the texels.
     Rgb radiance(const V3f &direction) const;
 
+    /// Importance sampling: the density is nearly proportional to the luminance.
+    using Sample = LightSample;
     LightSample sample(const V2f &u) const;
     float pdf(const V3f &direction) const;
 

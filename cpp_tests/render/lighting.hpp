@@ -6,6 +6,7 @@
 namespace render {
 
 enum class Lighting {
+    evening,  ///< a quay at sunset, photographed: for the hero
     studio,   ///< narrow soft boxes: for highlights of rough surfaces
     darkRoom, ///< wide soft boxes and nothing else: for what is transparent or reflects little
     tent,     ///< wide soft boxes with grey gaps: for metals

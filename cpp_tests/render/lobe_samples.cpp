@@ -5,13 +5,12 @@
 namespace render {
 
 std::vector<V3f> lobeUniforms(int count) {
-    Sampler sampler({1, 1}, count, 0);
+    Sampler sampler(count, 0);
     std::vector<V3f> uniforms;
     for (int i = 0; i < count; ++i) {
         sampler.start({0, 0}, i);
-        const float lobe = sampler.next1d();
-        const V2f direction = sampler.next2d();
-        uniforms.emplace_back(lobe, direction.x, direction.y);
+        const Sampler::Numbers numbers = sampler.next();
+        uniforms.emplace_back(numbers[2], numbers[0], numbers[1]);
     }
     return uniforms;
 }

@@ -43,6 +43,10 @@ MapFiles writeMaps(const FinishImage &image, const std::vector<V3f> &normals,
 /// Enamelled steel plates with bevelled edges, rivets and worn paint: one face of a box.
 Finish wornPlates(const V2f &uv);
 
+/// Bronze as statues have it, at a place of the surface with this normal: polished, brown, and green where rain
+/// stays.
+Finish patinatedBronze(const V3f &position, const V3f &normal);
+
 /// Stone slabs with grey mortar between, in a running bond; repeats itself.
 Finish stoneSlabs(const V2f &uv);
 

@@ -103,6 +103,12 @@ Mesh readObj(const std::filesystem::path &file) {
     return mesh;
 }
 
+void smooth(Mesh &mesh) {
+    const std::vector<V3f> normals = smoothNormals(mesh);
+    mesh.normals.clear();
+    for (const auto &[a, b, c] : mesh.triangles) mesh.normals.push_back({normals[a], normals[b], normals[c]});
+}
+
 void standOnFloor(Mesh &mesh) {
     V3f low = mesh.positions.front(), high = low;
     for (const V3f &p : mesh.positions) {

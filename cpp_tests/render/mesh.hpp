@@ -24,6 +24,9 @@ struct Mesh {
 /// std::runtime_error with the file's name, and the line where one is known.
 Mesh readObj(const std::filesystem::path &file);
 
+/// Gives every corner the smooth normal of its vertex.
+void smooth(Mesh &mesh);
+
 /// Scales and moves a mesh so that it stands on y = 0 and fits between x, z = +-1 and y = 2.
 void standOnFloor(Mesh &mesh);
 

@@ -128,8 +128,7 @@ Scene grid(std::string name, std::string caption, std::function<std::vector<Mate
            std::vector<std::string> labels) {
     Scene scene{std::move(name), std::move(caption), sphereGrid(std::move(rows), gridSide), exposure,
                 Lighting::window};
-    // More than six squares: half the samples keep its time in bounds.
-    scene.effort = 0.5f;
+    scene.effort = 4;
     scene.labels = {roughnessLabels, std::move(labels)};
     return scene;
 }
@@ -146,7 +145,8 @@ Scene row(std::string name, std::string caption, const Views &views, float expos
 std::vector<Chapter> microfacetChapters() {
     const Floor dark{0.1f, 0.04f};
     return {
-        {2,
+        {"spheres",
+         2,
          {
              grid("spheres", "The 25 spheres\nmetallic_roughness: GGX, Smith, Schlick over a diffuse body",
                   metallicAndRoughness, 0.8f, {"metallic 1", "0.75", "0.5", "0.25", "0"}),
@@ -156,7 +156,8 @@ std::vector<Chapter> microfacetChapters() {
                   {"TiO2 on titanium, 15-115 nm", "Fe3O4 on iron, 5-90 nm", "SiO2 on silicon, 60-330 nm",
                    "Acrylic on gold, 120-480 nm", "TiO2 on glass, 20-320 nm"}),
          }},
-        {1,
+        {"metals",
+         1,
          {
              row("metals",
                  "Metals of the lecture's table\nfrom spectra of measured indices; palladium and zinc from the "
@@ -165,7 +166,8 @@ std::vector<Chapter> microfacetChapters() {
                  {"Titanium", "Chromium", "Iron", "Nickel", "Platinum", "Copper", "Palladium", "Zinc", "Gold",
                   "Aluminium", "Silver"}),
          }},
-        {2,
+        {"lobes",
+         2,
          {
              row("distributions", "Distributions of normals\nalpha 0.3, each with its own Smith masking",
                  sphereRow(distributions, rowExtent, dark), 0.2f, Lighting::spot,

@@ -18,19 +18,21 @@ constexpr Quality qualities[] = {{"draft", 192, 4}, {"normal", 320, 32}, {"high"
 
 Options parseCommandLine(int argc, char **argv) {
     Options options;
-    int size = 0, samplesPerPixel = 0;
-    std::string quality = "normal";
+    std::string quality;
     std::vector<std::string> names;
     for (const Quality &q : qualities) names.push_back(q.name);
 
-    CLI::App app{"Renders pellicle's gallery: two pictures of every scene, charts of films, and a contact sheet."};
+    CLI::App app{"Renders pellicle's gallery. Without arguments a first look: a small hero and the paper's figures 2-5."};
     app.add_flag("--list", options.list, "List the scenes and end");
-    app.add_option("--scene", options.scenes, "Render only this scene; may be repeated");
+    CLI::Option *all = app.add_flag("--all", options.all,
+                                    "Render the whole gallery and the hero in full size, which takes long");
+    app.add_option("--scene", options.scenes, "Render only this scene, in full size; may be repeated")->excludes(all);
     app.add_option("--quality", quality,
-                   "draft, normal (default) or high, which takes ten times as long: sets --size and --spp")
+                   "draft, normal or high, which takes ten times as long: sets --size and --spp")
         ->check(CLI::IsMember(names));
-    app.add_option("--size", size, "Pixels along each side")->check(CLI::Range(16, 8192));
-    app.add_option("--spp", samplesPerPixel, "Samples per pixel; powers of two are best")
+    app.add_option("--size", options.size, "Pixels along each side of a square picture")->check(CLI::Range(16, 8192));
+    app.add_option("--spp", options.samplesPerPixel,
+                   "Samples per pixel, of which some scenes take a multiple; powers of two are best")
         ->check(CLI::Range(1, 65536));
     app.add_option("--mesh", options.mesh, "Wavefront OBJ to show in place of the bunny");
     CLI::Option *environment =
@@ -49,10 +51,11 @@ Options parseCommandLine(int argc, char **argv) {
         throw std::runtime_error(error.what());
     }
 
+    if (quality.empty() && (options.all || !options.scenes.empty())) quality = "normal";
     for (const Quality &q : qualities) {
         if (quality != q.name) continue;
-        options.size = size ? size : q.size;
-        options.samplesPerPixel = samplesPerPixel ? samplesPerPixel : q.samplesPerPixel;
+        options.size = options.size.value_or(q.size);
+        options.samplesPerPixel = options.samplesPerPixel.value_or(q.samplesPerPixel);
     }
     return options;
 }

@@ -11,10 +11,12 @@ namespace render {
 
 struct Options {
     bool list = false;
-    std::vector<std::string> scenes; ///< empty: all
+    bool all = false;                ///< the whole gallery
+    std::vector<std::string> scenes; ///< empty: all, or the first look
     std::filesystem::path mesh, environment, out = "out";
     std::string cubeMap; ///< what the names of the six images begin with; empty: none
-    int size, samplesPerPixel;
+    /// None: the first look chooses for itself.
+    std::optional<int> size, samplesPerPixel;
     int threads = 0;
     std::uint32_t seed = 1;
 };

@@ -34,6 +34,13 @@ OIIO::ImageBuf displayed(OIIO::ImageBuf linear, float exposure);
 /// The same of a picture's radiance.
 OIIO::ImageBuf display(const Picture &picture, float exposure);
 
+/// Compresses what is brighter than 0.76 and leaves the rest as it is, hues included: the Khronos PBR Neutral Tone
+/// Mapper (Khronos Group, 2024), of a linear image times 2^`exposure`; then sRGB. For photographs of real light.
+OIIO::ImageBuf photograph(const Picture &picture, float exposure);
+
+/// 8 bits, for pages.
+void writeJpeg(const OIIO::ImageBuf &image, const std::filesystem::path &file);
+
 /// 8 bits, dithered.
 void writePng(const OIIO::ImageBuf &image, const std::filesystem::path &file);
 

@@ -52,16 +52,15 @@ public:
             sum.radiance += radiance * weight;
             sum.weight += weight;
         };
-        const float choice = sampler.next1d();
-        const V2f place = sampler.next2d();
-        const float uniforms[3] = {choice, place.x, place.y};
+        const Sampler::Numbers numbers = sampler.next();
+        const float uniforms[3] = {numbers[2], numbers[0], numbers[1]};
         const PellicleSample own = bsdf_.sample(&normal.x, uniforms);
         if (own.wi[2] > 0) {
             const V3f direction = frame.toWorld(V3f(own.wi[0], own.wi[1], own.wi[2]));
             const float share = own.pdf / (own.pdf + environment.pdf(direction));
             addWeighted(environment.radiance(direction), own.wi[2] * share);
         }
-        const LightSample light = environment.sample(sampler.next2d());
+        const LightSample light = environment.sample(sampler.next(1).at2d(0));
         const V3f wi = frame.toLocal(light.direction);
         if (light.pdf > 0 && wi.z > 0) {
             const float pdf = bsdf_.pdf(&normal.x, &wi.x);
@@ -87,7 +86,7 @@ LatLongMap prefiltered(const Environment &environment, float roughness, int heig
             const Frame frame = frameAround(
                 latLongDirection((static_cast<float>(column) + 0.5f) / static_cast<float>(map.width), cosTheta));
             const auto index = static_cast<std::size_t>(row) * map.width + column;
-            Sampler sampler({1, 1}, pairs, static_cast<std::uint32_t>(index));
+            Sampler sampler(pairs, static_cast<std::uint32_t>(index));
             FacingLobe::Sum sum;
             for (int i = 0; i < pairs; ++i) {
                 sampler.start({0, 0}, i);

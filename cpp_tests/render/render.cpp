@@ -54,7 +54,7 @@ private:
         const V2i first(tile % columns_ * tileSize, tile / columns_ * tileSize);
         const V2i end(std::min(first.x + tileSize, settings_.width),
                       std::min(first.y + tileSize, settings_.height));
-        Sampler sampler({settings_.width, settings_.height}, settings_.samplesPerPixel, settings_.seed);
+        Sampler sampler(settings_.samplesPerPixel, settings_.seed);
         for (int y = first.y; y < end.y; ++y)
             for (int x = first.x; x < end.x; ++x)
                 picture_.pixels[static_cast<std::size_t>(y) * settings_.width + x] =
@@ -66,11 +66,10 @@ private:
         Pixel sum;
         for (int sample = 0; sample < settings_.samplesPerPixel; ++sample) {
             sampler.start(pixel, sample);
-            const V2f u = sampler.next2d();
-            const V2f raster(static_cast<float>(pixel.x) + tent(u.x),
-                             static_cast<float>(pixel.y) + tent(u.y));
+            const auto [x, y, lens, turn] = sampler.next();
+            const V2f raster(static_cast<float>(pixel.x) + tent(x), static_cast<float>(pixel.y) + tent(y));
             FirstHit firstHit;
-            sum.radiance += radiance(camera_.ray(raster, {settings_.width, settings_.height}), world_,
+            sum.radiance += radiance(camera_.ray(raster, {settings_.width, settings_.height}, {lens, turn}), world_,
                                      environment_, settings_.path, sampler, firstHit);
             sum.normal += firstHit.normal;
             sum.distance += firstHit.distance;

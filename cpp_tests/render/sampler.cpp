@@ -1,20 +1,19 @@
 #include "sampler.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace render {
 namespace {
 
-/// D. Stafford's "Mix13" finaliser of MurmurHash3.
-std::uint64_t mixBits(std::uint64_t v) {
-    v ^= v >> 31;
-    v *= 0x7fb5d329728ea185u;
-    v ^= v >> 27;
-    v *= 0x81dadef4bc2dd44du;
-    v ^= v >> 33;
-    return v;
+/// A bijection of 32 bits: C. Wellons, "Prospecting for Hash Functions", 2018, "lowbias32".
+std::uint32_t mixBits(std::uint32_t v) {
+    v ^= v >> 16;
+    v *= 0x7feb352du;
+    v ^= v >> 15;
+    v *= 0x846ca68bu;
+    return v ^ (v >> 16);
 }
+
+/// The hash of two numbers, in order.
+std::uint32_t combine(std::uint32_t a, std::uint32_t b) { return mixBits(a ^ mixBits(b + 0x9e3779b9u)); }
 
 std::uint32_t reverseBits(std::uint32_t v) {
     v = (v << 16) | (v >> 16);
@@ -25,8 +24,8 @@ std::uint32_t reverseBits(std::uint32_t v) {
     return v;
 }
 
-/// Hash-based Owen scrambling (B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020)
-/// with the constants of pbrt-v4's FastOwenScrambler.
+/// Burley's nested uniform scramble, with the constants of pbrt-v4's FastOwenScrambler. Of an index it is a shuffle
+/// that maps aligned blocks of 2^k numbers to such blocks.
 std::uint32_t owenScramble(std::uint32_t v, std::uint32_t seed) {
     v = reverseBits(v);
     v ^= v * 0x3d20adeau;
@@ -37,90 +36,78 @@ std::uint32_t owenScramble(std::uint32_t v, std::uint32_t seed) {
     return reverseBits(v);
 }
 
-/// First Sobol' dimension: van der Corput's sequence. Indices beyond 2^32 wrap.
-std::uint32_t sobol0(std::uint64_t index) { return reverseBits(static_cast<std::uint32_t>(index)); }
+using DirectionNumbers = std::array<std::array<std::uint32_t, 32>, 4>;
 
-/// Second Sobol' dimension: its generator is Pascal's triangle modulo 2, built column by column.
-std::uint32_t sobol1(std::uint64_t index) {
-    std::uint32_t v = 0;
-    for (std::uint32_t column = 1u << 31; index != 0; index >>= 1, column ^= column >> 1)
-        if (index & 1) v ^= column;
-    return v;
-}
-
-float toUnitInterval(std::uint32_t v) { return static_cast<float>(v >> 8) * 0x1p-24f; }
-
-std::uint64_t spreadBits(std::uint64_t v) {
-    v = (v | (v << 16)) & 0x0000ffff0000ffffu;
-    v = (v | (v << 8)) & 0x00ff00ff00ff00ffu;
-    v = (v | (v << 4)) & 0x0f0f0f0f0f0f0f0fu;
-    v = (v | (v << 2)) & 0x3333333333333333u;
-    v = (v | (v << 1)) & 0x5555555555555555u;
-    return v;
-}
-
-int ceilLog2(std::uint32_t v) {
-    int log2 = 0;
-    while ((std::uint64_t{1} << log2) < v) ++log2;
-    return log2;
-}
-
-/// All orders of four digits.
-std::array<std::array<std::uint8_t, 4>, 24> allPermutations() {
-    std::array<std::array<std::uint8_t, 4>, 24> all;
-    std::array<std::uint8_t, 4> order{0, 1, 2, 3};
-    for (auto &permutation : all) {
-        permutation = order;
-        std::next_permutation(order.begin(), order.end());
+/// The first four dimensions of S. Joe and F. Kuo, "Constructing Sobol Sequences with Better Two-Dimensional
+/// Projections", SIAM J. Sci. Comput. 30, 2008 (table new-joe-kuo-6.21201), by their recurrence.
+constexpr DirectionNumbers directionNumbers() {
+    struct Row {
+        std::uint32_t degree, polynomial, initial[3];
+    };
+    constexpr Row rows[3] = {{1, 0, {1, 0, 0}}, {2, 1, {1, 3, 0}}, {3, 1, {1, 3, 1}}};
+    DirectionNumbers all{};
+    for (std::uint32_t i = 0; i < 32; ++i) all[0][i] = 1u << (31 - i);
+    for (int dimension = 1; dimension < 4; ++dimension) {
+        const Row &row = rows[dimension - 1];
+        std::array<std::uint32_t, 32> &v = all[dimension];
+        for (std::uint32_t i = 0; i < 32; ++i) {
+            if (i < row.degree) {
+                v[i] = row.initial[i] << (31 - i);
+                continue;
+            }
+            v[i] = v[i - row.degree] ^ (v[i - row.degree] >> row.degree);
+            for (std::uint32_t k = 1; k < row.degree; ++k)
+                if (row.polynomial >> (row.degree - 1 - k) & 1) v[i] ^= v[i - k];
+        }
     }
     return all;
 }
-const auto permutations = allPermutations();
+constexpr DirectionNumbers directions = directionNumbers();
+
+/// A number of a scrambled dimension.
+float sobol(std::uint32_t index, int dimension, std::uint32_t hash) {
+    std::uint32_t v = 0;
+    for (int bit = 0; index != 0; index >>= 1, ++bit) v ^= directions[dimension][bit] & (0 - (index & 1));
+    return static_cast<float>(owenScramble(v, combine(hash, static_cast<std::uint32_t>(dimension) + 1)) >> 8) *
+           0x1p-24f;
+}
 
 } // namespace
 
-Sampler::Sampler(V2i resolution, int samplesPerPixel, std::uint32_t seed)
-    : seed_(mixBits(std::uint64_t{seed} + 1)),
-      log2SamplesPerPixel_(ceilLog2(static_cast<std::uint32_t>(samplesPerPixel))),
-      digits_(ceilLog2(static_cast<std::uint32_t>(std::max(resolution.x, resolution.y))) +
-              (log2SamplesPerPixel_ + 1) / 2) {}
+Sampler::Sampler(int samplesPerPixel, std::uint32_t seed)
+    : seed_(seed),
+      mask_(0) {
+    while (mask_ + 1 < static_cast<std::uint32_t>(samplesPerPixel)) mask_ = 2 * mask_ + 1;
+}
 
 void Sampler::start(V2i pixel, int index) {
-    const std::uint64_t pixelMorton = spreadBits(static_cast<std::uint32_t>(pixel.x)) |
-                                      spreadBits(static_cast<std::uint32_t>(pixel.y)) << 1;
-    morton_ = (pixelMorton << log2SamplesPerPixel_) | static_cast<std::uint64_t>(index);
-    dimension_ = 0;
+    pixel_ = combine(combine(seed_, static_cast<std::uint32_t>(pixel.x)), static_cast<std::uint32_t>(pixel.y));
+    index_ = static_cast<std::uint32_t>(index);
+    sequence_ = 0;
 }
 
-float Sampler::next1d() {
-    const std::uint64_t index = nextSobolIndex();
-    const std::uint64_t hash = mixBits(seed_ ^ dimension_++);
-    return toUnitInterval(owenScramble(sobol0(index), static_cast<std::uint32_t>(hash)));
+Sampler::Points Sampler::next(int count) {
+    Points points;
+    const auto n = static_cast<std::uint32_t>(count);
+    points.first_ = index_ * n;
+    points.mask_ = mask_ * n + (n - 1);
+    points.hash_ = combine(pixel_, sequence_++);
+    return points;
 }
 
-V2f Sampler::next2d() {
-    const std::uint64_t index = nextSobolIndex();
-    const std::uint64_t hash = mixBits(seed_ ^ dimension_);
-    dimension_ += 2;
-    return {toUnitInterval(owenScramble(sobol0(index), static_cast<std::uint32_t>(hash))),
-            toUnitInterval(owenScramble(sobol1(index), static_cast<std::uint32_t>(hash >> 32)))};
+/// The bits above the mask need no shuffling: the scramble of the numbers does the same.
+std::uint32_t Sampler::Points::shuffled(int i) const {
+    return owenScramble(first_ + static_cast<std::uint32_t>(i), hash_) & mask_;
 }
 
-/// Permutes the Morton index's base-4 digits, each depending on the digits above it, and the last
-/// bit where the number of samples is not a power of 4 (Ahmed and Wonka, section 4).
-std::uint64_t Sampler::nextSobolIndex() {
-    const auto hash = [&](std::uint64_t higherDigits) {
-        return mixBits(seed_ ^ higherDigits ^ (std::uint64_t{0x55555555} * dimension_));
-    };
-    const int oddBit = log2SamplesPerPixel_ & 1;
-    std::uint64_t index = 0;
-    for (int digit = digits_ - 1; digit >= oddBit; --digit) {
-        const int shift = 2 * digit - oddBit;
-        const auto &permutation = permutations[(hash(morton_ >> (shift + 2)) >> 24) % 24];
-        index |= std::uint64_t{permutation[(morton_ >> shift) & 3]} << shift;
-    }
-    if (oddBit) index |= (morton_ & 1) ^ (hash(morton_ >> 1) & 1);
-    return index;
+V2f Sampler::Points::at2d(int i) const {
+    const std::uint32_t index = shuffled(i);
+    return {sobol(index, 0, hash_), sobol(index, 1, hash_)};
+}
+
+Sampler::Numbers Sampler::Points::at(int i) const {
+    const std::uint32_t index = shuffled(i);
+    return {sobol(index, 0, hash_), sobol(index, 1, hash_), sobol(index, 2, hash_), sobol(index, 3, hash_)};
 }
 
 } // namespace render

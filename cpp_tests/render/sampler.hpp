@@ -4,32 +4,41 @@
 
 #include "math.hpp"
 
+#include <array>
 #include <cstdint>
 
 namespace render {
 
-/// The Z sampler (A. Ahmed and P. Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling
-/// Error via Hierarchical Ordering of Pixels", SIGGRAPH Asia 2020) as in pbrt-v4's ZSobolSampler:
-/// pixels in Morton order share one Owen-scrambled Sobol' sequence, so that each pixel is well
-/// stratified and the error that remains looks like blue noise.
+/// Owen-scrambled Sobol' sequences (B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020, section 5):
+/// every pixel and every call of next() has a sequence of its own, in four dimensions that are stratified together,
+/// shuffled and scrambled by a hash. Powers of two are the best numbers of samples.
 class Sampler {
 public:
-    Sampler(V2i resolution, int samplesPerPixel, std::uint32_t seed);
+    Sampler(int samplesPerPixel, std::uint32_t seed);
 
-    /// Starts sample `index` of a pixel at its first dimension.
+    /// Starts sample `index` of a pixel at its first sequence.
     void start(V2i pixel, int index);
 
-    float next1d();
-    V2f next2d();
+    /// Four numbers in [0, 1).
+    using Numbers = std::array<float, 4>;
+    Numbers next() { return next(1).at(0); }
+
+    /// `count`, a power of two, consecutive points of one sequence, as (x, y): the samples of a pixel share all of it.
+    class Points {
+    public:
+        V2f at2d(int i) const;
+        Numbers at(int i) const;
+
+    private:
+        friend class Sampler;
+        std::uint32_t shuffled(int i) const;
+        std::uint32_t first_, mask_, hash_;
+    };
+    Points next(int count);
 
 private:
-    std::uint64_t nextSobolIndex();
-
-    std::uint64_t seed_;
-    int log2SamplesPerPixel_;
-    int digits_; ///< base-4 digits of a Morton index
-    std::uint64_t morton_ = 0;
-    std::uint32_t dimension_ = 0;
+    std::uint32_t seed_, mask_; ///< the bits that the number of a sample has
+    std::uint32_t pixel_ = 0, index_ = 0, sequence_ = 0;
 };
 
 } // namespace render

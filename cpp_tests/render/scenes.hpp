@@ -22,20 +22,25 @@ struct Scene {
     Lighting lighting = Lighting::studio;
     float effort = 1; ///< how many times as many samples: for light that is chosen rarely
     int maxBounces = 5;
+    bool photograph = false; ///< shown with a tone curve; otherwise nothing is but clipped
     Labels labels{};
 };
+
+/// Scenes that are shown together, in as many columns; their pictures have one shape.
+struct Chapter {
+    std::string name; ///< of its sheet's file
+    int columns;
+    std::vector<Scene> scenes;
+};
+
+/// The picture of the first page.
+Chapter heroChapter();
 
 /// The paper's figures.
 const std::vector<Scene> &scenes();
 
 /// Surfaces with real thin films.
 const std::vector<Scene> &filmScenes();
-
-/// Scenes that are shown together, in as many columns; their pictures have one shape.
-struct Chapter {
-    int columns;
-    std::vector<Scene> scenes;
-};
 
 /// Rough surfaces: grids of spheres, and rows of them.
 std::vector<Chapter> microfacetChapters();

@@ -2,6 +2,8 @@
 
 #include "frame.hpp"
 
+#include <algorithm>
+
 namespace render {
 namespace {
 
@@ -64,6 +66,42 @@ Mesh ring(const V3f &centre, const V3f &normal, float radius, float thickness) {
         }
     }
     return mesh;
+}
+
+Mesh gridMesh(const Grid &grid, const std::function<V3f(float u, float v)> &at) {
+    const std::uint32_t wide = grid.columns + (grid.closedInU ? 0 : 1), high = grid.rows + (grid.closedInV ? 0 : 1);
+    Mesh mesh;
+    for (std::uint32_t j = 0; j < high; ++j)
+        for (std::uint32_t i = 0; i < wide; ++i)
+            mesh.positions.push_back(at(static_cast<float>(i) / static_cast<float>(grid.columns),
+                                        static_cast<float>(j) / static_cast<float>(grid.rows)));
+    const auto vertex = [&](std::uint32_t i, std::uint32_t j) { return j % high * wide + i % wide; };
+    for (std::uint32_t j = 0; j < grid.rows; ++j) {
+        for (std::uint32_t i = 0; i < grid.columns; ++i) {
+            mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+            mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+        }
+    }
+    mesh.uvs.assign(mesh.triangles.size(), {V2f(0), V2f(0), V2f(0)});
+    smooth(mesh);
+    return mesh;
+}
+
+Mesh turned(const std::vector<V2f> &outline) {
+    const auto count = static_cast<int>(outline.size());
+    const auto point = [&](int i) { return outline[static_cast<std::size_t>(std::clamp(i, 0, count - 1))]; };
+    const auto spline = [&](float t) {
+        const int i = std::min(static_cast<int>(t * static_cast<float>(count - 1)), count - 2);
+        const float s = t * static_cast<float>(count - 1) - static_cast<float>(i);
+        const V2f a = point(i - 1), b = point(i), c = point(i + 1), d = point(i + 2);
+        return (b * 2 + (c - a) * s + (a * 2 - b * 5 + c * 4 - d) * (s * s) + (b * 3 - a - c * 3 + d) * (s * s * s)) *
+               0.5f;
+    };
+    return gridMesh({around, 24 * static_cast<std::uint32_t>(count), true, false}, [&](float u, float v) {
+        const V2f p = spline(v);
+        const float angle = -2 * pi * u;
+        return V3f(p.x * std::cos(angle), p.y, p.x * std::sin(angle));
+    });
 }
 
 } // namespace render

@@ -97,21 +97,11 @@ void draw(OIIO::ImageBuf &sheet, const Section &section, const Layout &layout, i
 
 } // namespace
 
-OIIO::ImageBuf contactSheet(const std::vector<Section> &sections) {
-    int width = 0, height = gap;
-    for (const Section &section : sections) {
-        const Layout layout(section);
-        width = std::max(width, layout.width());
-        height += layout.rows * layout.cellHeight;
-    }
-    OIIO::ImageBuf sheet(OIIO::ImageSpec(width, height, 3, OIIO::TypeFloat));
+OIIO::ImageBuf contactSheet(const Section &section) {
+    const Layout layout(section);
+    OIIO::ImageBuf sheet(OIIO::ImageSpec(layout.width(), gap + layout.rows * layout.cellHeight, 3, OIIO::TypeFloat));
     OIIO::ImageBufAlgo::fill(sheet, paper);
-    int top = gap;
-    for (const Section &section : sections) {
-        const Layout layout(section);
-        draw(sheet, section, layout, top);
-        top += layout.rows * layout.cellHeight;
-    }
+    draw(sheet, section, layout, gap);
     return sheet;
 }
 

@@ -1,4 +1,4 @@
-// The contact sheet: all pictures of a run on one page.
+// A contact sheet: the pictures of a chapter on one page.
 #pragma once
 
 #include <OpenImageIO/imagebuf.h>
@@ -22,9 +22,8 @@ struct Section {
     std::vector<Cell> cells;
 };
 
-/// Sections below one another, as wide as the page; those without cells are left out. A page that
-/// needs fewer columns than its sections have is narrower. Without the font (Debian:
+/// A page; one that needs fewer columns than its section has is narrower. Without the font (Debian:
 /// fonts-dejavu-core) captions are left out. Throws std::runtime_error.
-OIIO::ImageBuf contactSheet(const std::vector<Section> &sections);
+OIIO::ImageBuf contactSheet(const Section &section);
 
 } // namespace render

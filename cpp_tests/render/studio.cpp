@@ -6,14 +6,6 @@
 namespace render {
 namespace {
 
-/// A rectangle of light that faces the origin, infinitely far away.
-struct SoftBox {
-    float azimuth, elevation; ///< degrees; azimuth from -z (behind the object) towards +x
-    float width, height;      ///< degrees
-    float roll;               ///< degrees
-    Rgb radiance;
-};
-
 const std::vector<SoftBox> studioBoxes{
     {-132, 38, 4, 44, 14, Rgb(57, 55, 52)},     // key: from the left and in front
     {118, 28, 6, 46, -10, Rgb(9, 9.5f, 10.5f)}, // fill: from the right
@@ -59,7 +51,7 @@ V3f fromAngles(float azimuth, float elevation) {
     return {std::cos(e) * std::sin(a), std::sin(e), -std::cos(e) * std::cos(a)};
 }
 
-Rgb lightOf(const SoftBox &box, const V3f &direction) {
+Rgb lightOfOne(const SoftBox &box, const V3f &direction) {
     const V3f forward = fromAngles(box.azimuth, box.elevation);
     const float depth = dot(direction, forward);
     if (depth <= 0) return Rgb(0);
@@ -84,13 +76,13 @@ LatLongMap draw(const std::function<Rgb(const V3f &direction)> &radiance) {
     return map;
 }
 
+} // namespace
+
 Rgb lightOf(const std::vector<SoftBox> &boxes, const V3f &direction) {
     Rgb light(0);
-    for (const SoftBox &box : boxes) light += lightOf(box, direction);
+    for (const SoftBox &box : boxes) light += lightOfOne(box, direction);
     return light;
 }
-
-} // namespace
 
 LatLongMap studio() {
     return draw([](const V3f &direction) { return dimSky(direction) + lightOf(studioBoxes, direction); });

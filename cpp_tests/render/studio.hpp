@@ -3,7 +3,20 @@
 
 #include "environment.hpp"
 
+#include <vector>
+
 namespace render {
+
+/// A rectangle of light that faces the origin, infinitely far away.
+struct SoftBox {
+    float azimuth, elevation; ///< degrees; azimuth from -z (behind the object) towards +x
+    float width, height;      ///< degrees
+    float roll;               ///< degrees
+    Rgb radiance;
+};
+
+/// What the boxes add to the light from a direction.
+Rgb lightOf(const std::vector<SoftBox> &boxes, const V3f &direction);
 
 /// A dim sky with narrow, bright soft boxes: narrow along the horizon, where the gallery's layers
 /// spread their colours, so that these stay apart, and tall, so that highlights have a shape.

@@ -1,9 +1,8 @@
-#include "bake.hpp"
 #include "box.hpp"
+#include "maps.hpp"
 #include "scenes.hpp"
 #include "shapes.hpp"
 #include "texture.hpp"
-#include "unwrap.hpp"
 
 namespace render {
 namespace {
@@ -77,7 +76,7 @@ SharedMaterial textured(const MapFiles &files, float repetitions = 1) {
     return material;
 }
 
-constexpr int mapSize = 1024, mapGap = 4;
+constexpr int mapSize = 1024;
 
 /// Slabs of stone, 1.6 units to an image.
 struct Pavement {
@@ -96,6 +95,22 @@ SharedMaterial plateMaterial(const std::filesystem::path &directory) {
     return textured(writeMaps(image, reliefNormals(image, 1), directory, "plates"));
 }
 
+/// By position, without images.
+SharedMaterial bronze() {
+    const auto finish = [](const SurfacePoint &point) {
+        return patinatedBronze(point.objectPosition, point.shading.normal);
+    };
+    return std::make_shared<Material>(
+        pellicle::BsdfBuilder("metallic_roughness"),
+        std::vector<VaryingParameter>{
+            {"base_color", 0, 1, {3, [=](const SurfacePoint &point, float *rgb) {
+                                      const Rgb color = finish(point).baseColor;
+                                      for (int c = 0; c < 3; ++c) rgb[c] = color[c];
+                                  }}},
+            {"metallic", 0, 1, {1, [=](const SurfacePoint &point, float *x) { *x = finish(point).metallic; }}},
+            {"roughness", 0, 1, {1, [=](const SurfacePoint &point, float *x) { *x = finish(point).roughness; }}}});
+}
+
 std::vector<View> texturedObjects(const Subject &mesh) {
     const Camera camera(V3f(0, 2.1f, 7.6f), V3f(0, 0.98f, 0), 25);
     const Pavement floor = pavement(mesh.directory);
@@ -105,9 +120,7 @@ std::vector<View> texturedObjects(const Subject &mesh) {
 
     auto statue = std::make_unique<World>();
     statue->add(floor.mesh, floor.material);
-    const std::shared_ptr<const Mesh> unwrappedMesh = share(unwrapped(*mesh.mesh, mapSize, mapGap));
-    const BakedMaps maps = bake(*unwrappedMesh, mapSize, mapGap, patinatedBronze);
-    statue->add(unwrappedMesh, textured(writeMaps(maps.image, maps.normals, mesh.directory, "bronze")));
+    statue->add(mesh.mesh, bronze());
 
     std::vector<View> views;
     views.push_back({"box", committed(std::move(box)), camera});
@@ -141,12 +154,14 @@ std::vector<View> mirrors(const Subject &mesh) {
 std::vector<Chapter> textureChapters() {
     const std::vector<V2f> pair{V2f(1), V2f(1)}, rows{V2f(3, 0.75f), V2f(3, 0.75f)};
     return {
-        {1,
+        {"phong",
+         1,
          // Phong's light is reflected once.
-         {{"phong-terms", "Phong's model and its terms", {rows, phongTerms}, 0, Lighting::lamp, 1, 1,
+         {{"phong-terms", "Phong's model and its terms", {rows, phongTerms}, 0, Lighting::lamp, 1, 1, false,
            {{"ambient", "diffuse", "specular", "their sum"}, {}}}}},
-        {3,
-         {{"textures", "Image textures\nbase colour, normal, roughness, metallic", {pair, texturedObjects},
+        {"textures",
+         3,
+         {{"textures", "Textures: images on a box, patterns by position on a mesh\nbase colour, normal, roughness, metallic", {pair, texturedObjects},
            -0.8f, Lighting::landscape, 2, 4},
           {"environment-lat-long", "Environment mapping: silver\nlatitude-longitude map", {pair, mirrors},
            -0.4f, Lighting::landscape},

@@ -22,7 +22,7 @@ struct Subject {
 
 /// One picture. The world is committed.
 struct View {
-    std::string name; ///< its part of the file's name
+    std::string name; ///< its part of the file's name; empty: the scene's is enough
     std::unique_ptr<World> world;
     Camera camera;
 };

@@ -71,6 +71,7 @@ TEST_CASE("what cannot be done is refused in one line") {
     checkRefused("--threads -1", "threads");
     checkRefused("--quality best", "best");
     checkRefused("--nonsense", "nonsense");
+    checkRefused("--all --scene fig2-clay", "--all");
     checkRefused("--mesh /no/such.obj", "/no/such.obj");
     checkRefused("--mesh " + (directory / "poem.obj"), "poem.obj");
     checkRefused("--env /no/such.exr", "/no/such.exr");
@@ -87,7 +88,7 @@ TEST_CASE("pictures do not depend on the number of threads, but do on the seed")
         const std::string out = (directory / name);
         REQUIRE(run("--scene fig5-medium --size 40 --spp 4 --out " + out + " " + arguments, "2>/dev/null")
                     .exitCode == 0);
-        for (const char *file : {"fig5-medium.sphere.png", "fig5-medium.bunny.png", "gallery.png"})
+        for (const char *file : {"fig5-medium.sphere.png", "fig5-medium.bunny.png", "gallery/paper.jpg"})
             CHECK(fs::exists(fs::path(out) / file));
         return out;
     };
@@ -112,12 +113,12 @@ TEST_CASE("films and their charts are rendered like the figures") {
     const Result result = run("--scene soap --scene newton-soap --scene titanium --size 32 --spp 1 --out " + out,
                               "2>/dev/null");
     CHECK(result.exitCode == 0);
-    CHECK(result.output.rfind("5 pictures", 0) == 0);
+    CHECK(result.output.find("soap.bubble.png: 32 x 32, 4 samples a pixel") != std::string::npos);
     for (const char *file : {"soap.bubble", "soap.frame", "titanium.sphere", "titanium.bunny", "newton-soap"}) {
         CHECK(fs::exists(fs::path(out) / (std::string(file) + ".png")));
         CHECK(fs::exists(fs::path(out) / (std::string(file) + ".exr")));
     }
-    CHECK(fs::exists(fs::path(out) / "gallery.png"));
+    for (const char *sheet : {"films.jpg", "newton.jpg"}) CHECK(fs::exists(fs::path(out) / "gallery" / sheet));
 }
 
 TEST_CASE("any mesh and environment will do") {
@@ -158,7 +159,7 @@ TEST_CASE("textured scenes write their images and read them back") {
     const std::string out = (directory / "out");
     CHECK(run("--scene textures --size 32 --spp 1 --out " + out, "2>/dev/null").exitCode == 0);
     for (const char *file : {"textures.box.png", "textures.bunny.png", "maps/plates.base_color.png",
-                             "maps/plates.normal.png", "maps/bronze.metallic.png", "maps/slabs.roughness.png",
+                             "maps/plates.normal.png", "maps/slabs.roughness.png",
                              "maps/landscape.exr"})
         CHECK(fs::exists(fs::path(out) / file));
 }

@@ -1,9 +1,9 @@
-// Light from six images: orientation, seams and importance sampling.
+// Light from six images: orientation and files.
 
+#include "cube_map.hpp"
 #include "environment.hpp"
 #include "landscape.hpp"
 #include "noise.hpp"
-#include "sampler.hpp"
 #include "temporary.hpp"
 
 #include <OpenImageIO/imagebuf.h>
@@ -49,7 +49,7 @@ float difference(const Rgb &a, const Rgb &b) {
 }
 
 float largestError(int size) {
-    const CubeLight light(drawCube(size, smooth));
+    const LatLongLight light(unrolled(drawCube(size, smooth)));
     float largest = 0;
     for (const V3f &d : directions(20000))
         largest = std::max(largest, difference(light.radiance(d), smooth(d)));
@@ -79,84 +79,18 @@ TEST_CASE("faces lie as OpenGL's table 8.19 says, with z turned over") {
     }
 }
 
-TEST_CASE("a constant map is constant") {
-    for (const int size : {1, 2, 7}) {
-        const CubeLight light(drawCube(size, [](const V3f &) { return Rgb(0.25f, 0.5f, 2); }));
-        for (const V3f &d : directions(2000))
-            REQUIRE(difference(light.radiance(d), Rgb(0.25f, 0.5f, 2)) < 1e-6f);
-    }
-}
-
-TEST_CASE("a smooth map is the function") {
-    // On edges the two texels between which a place lies are a quarter of a texel aside of it at most, a
-    // texel is 2 / size wide, and the function's slope is at most 0.7 per channel.
-    const float coarse = largestError(32), fine = largestError(128);
-    CHECK(coarse < 0.7f * 0.5f / 32 + 1e-3f);
-    CHECK(fine < 0.7f * 0.5f / 128 + 1e-4f);
-}
-
-TEST_CASE("there are no seams over edges and corners") {
-    const CubeLight light(mottled(8));
-    std::mt19937 random(11);
-    std::uniform_real_distribution<float> uniform(-1, 1);
-    // Texels differ by 1 at most, and are an eighth of a face wide: this far apart a continuous
-    // interpolant differs by 2e-4 at most.
-    constexpr float apart = 1e-5f, allowed = 2e-4f;
-    for (int i = 0; i < 20000; ++i) {
-        V3f onEdge(1, 1, i % 10 ? uniform(random) : 1); // every tenth is a corner
-        for (int axis = 0; axis < 3; ++axis)
-            if (random() & 1) onEdge[axis] = -onEdge[axis];
-        const int turn = static_cast<int>(random() % 3);
-        onEdge = V3f(onEdge[turn], onEdge[(turn + 1) % 3], onEdge[(turn + 2) % 3]);
-        const V3f step(apart * uniform(random), apart * uniform(random), apart * uniform(random));
-        REQUIRE(difference(light.radiance((onEdge + step).normalized()),
-                           light.radiance((onEdge - step).normalized())) < allowed);
-    }
-}
-
-TEST_CASE("samples have the density that pdf() tells, which integrates to 1, and estimate the light") {
-    CubeMap map = mottled(16);
-    map.faces[2][5 * 16 + 15] = Rgb(300, 200, 100); // on an edge
-    const Environment environment(map);
-    constexpr int samples = 1 << 14;
-    Sampler sampler({1, 1}, samples, 1);
-    double one = 0, light = 0;
-    for (int i = 0; i < samples; ++i) {
-        sampler.start({0, 0}, i);
-        const Environment::Sample sample = environment.sample(sampler.next2d());
-        REQUIRE(sample.pdf > 0);
-        REQUIRE(environment.pdf(sample.direction) == doctest::Approx(sample.pdf).epsilon(2e-3));
-        REQUIRE(difference(environment.radiance(sample.direction), sample.radiance) <
-                2e-3f * (1 + sample.radiance.x));
-        one += 1 / sample.pdf;
-        light += sample.radiance.x / sample.pdf;
-    }
-    // The references: sums over a fine grid, uniform in solid angle.
-    constexpr int rows = 1024, columns = 2048;
-    double density = 0, expected = 0;
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            const V3f d = latLongDirection((static_cast<float>(column) + 0.5f) / columns,
-                                           1 - 2 * (static_cast<float>(row) + 0.5f) / rows);
-            density += environment.pdf(d);
-            expected += environment.radiance(d).x;
-        }
-    }
-    constexpr double area = 4 * static_cast<double>(pi) / (rows * columns);
-    CHECK(density * area == doctest::Approx(1).epsilon(2e-3));
-    CHECK(one / samples == doctest::Approx(4 * pi).epsilon(0.02));
-    CHECK(light / samples == doctest::Approx(expected * area).epsilon(3e-3));
-}
-
-TEST_CASE("a black map gives no samples") {
-    const Environment black(drawCube(2, [](const V3f &) { return Rgb(0); }));
-    CHECK(black.sample({0.3f, 0.7f}).pdf == 0);
-    CHECK(black.pdf(V3f(0, 1, 0)) == 0);
+TEST_CASE("a smooth map is the function, over edges and corners too") {
+    // At a face's edge the outermost texel's value is half a texel aside, a texel is 2 / size wide, the function's
+    // slope is at most 0.7 per channel, and a latitude-longitude texel is half as wide.
+    for (const int size : {32, 128}) CHECK(largestError(size) < 0.7f * 1.5f / static_cast<float>(size) + 1e-3f);
+    CHECK(difference(LatLongLight(unrolled(drawCube(1, [](const V3f &) { return Rgb(0.25f, 0.5f, 2); })))
+                         .radiance(V3f(0.6f, 0, 0.8f)),
+                     Rgb(0.25f, 0.5f, 2)) < 1e-6f);
 }
 
 TEST_CASE("a function as a cube and as a latitude-longitude map gives the same light") {
     const auto mist = [](const V3f &d) { return Rgb(fractalNoise01(d * 2, 2).value); };
-    const Environment cube(drawCube(96, mist)), latLong(drawLatLong(128, mist));
+    const Environment cube(unrolled(drawCube(96, mist))), latLong(drawLatLong(128, mist));
     double mean = 0, apart = 0;
     const std::vector<V3f> all = directions(20000);
     for (const V3f &d : all) {

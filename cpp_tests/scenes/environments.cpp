@@ -65,11 +65,11 @@ TEST_CASE("the middle of the map is where the camera looks, the right is +x, the
 TEST_CASE("samples have the density that pdf() tells, and estimate the light") {
     const LatLongMap map = lantern();
     const Environment environment(map);
-    Sampler sampler({1, 1}, 1 << 14, 1);
+    Sampler sampler(1 << 14, 1);
     double one = 0, light = 0;
     for (int i = 0; i < 1 << 14; ++i) {
         sampler.start({0, 0}, i);
-        const Environment::Sample sample = environment.sample(sampler.next2d());
+        const Environment::Sample sample = environment.sample(sampler.next(1).at2d(0));
         REQUIRE(sample.pdf > 0);
         REQUIRE(environment.pdf(sample.direction) == doctest::Approx(sample.pdf).epsilon(1e-4));
         one += 1 / sample.pdf;

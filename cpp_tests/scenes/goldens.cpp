@@ -28,7 +28,7 @@ OIIO::ImageBuf renderSmall(const std::string &name, const std::shared_ptr<const 
     RenderSettings settings;
     settings.width = static_cast<int>(std::lround(64 * extent.x));
     settings.height = static_cast<int>(std::lround(64 * extent.y));
-    settings.samplesPerPixel = static_cast<int>(64 * scene.effort);
+    settings.samplesPerPixel = 32;
     settings.seed = 1;
     settings.path.maxBounces = scene.maxBounces;
     const std::vector<View> views = scene.views.make({"mesh", mesh});

@@ -1,6 +1,5 @@
 // Normal maps: frames, what a flat one does, and what tilted ones do to the light.
 
-#include "bake.hpp"
 #include "box.hpp"
 #include "footprint.hpp"
 #include "normal_map.hpp"

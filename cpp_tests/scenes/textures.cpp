@@ -1,11 +1,10 @@
-// Image textures: what look-ups return, how much of an image a pixel sees, and baked maps.
+// Image textures: what look-ups return, and how much of an image a pixel sees.
 
-#include "bake.hpp"
 #include "camera.hpp"
+#include "maps.hpp"
 #include "shapes.hpp"
 #include "temporary.hpp"
 #include "texture.hpp"
-#include "unwrap.hpp"
 #include "world.hpp"
 
 #include <OpenImageIO/imagebuf.h>
@@ -131,63 +130,6 @@ TEST_CASE("a footprint is as far as the next pixel's ray hits") {
           0.05f * across * along);
     // Scattered rays read full detail.
     CHECK(world.intersect({V3f(0, 2, 5), V3f(0, -0.6f, -0.8f)})->point.footprint[0] == V2f(0));
-}
-
-TEST_CASE("an unwrapped mesh's charts do not overlap, and baked maps show the finish") {
-    Mesh bunny = readObj(BUNNY);
-    standOnFloor(bunny);
-    constexpr int size = 512, gap = 4;
-    const Mesh mesh = unwrapped(bunny, size, gap);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        for (const V2f &uv : mesh.uvs[i]) {
-            REQUIRE(std::min(uv.x, uv.y) >= 0);
-            REQUIRE(std::max(uv.x, uv.y) <= 1);
-        }
-
-    // A finish that says where it is.
-    const auto map = [](const BakePoint &point) {
-        const V3f p = (point.position + V3f(1, 0, 1)) * 0.5f;
-        return Finish{Rgb(p.x, p.y, p.z), 0.5f, 0.5f, 0};
-    };
-    const BakedMaps baked = bake(mesh, size, gap, map);
-    // Less than one texel in a thousand: charts that fold over themselves behind a paw or an ear.
-    CHECK(baked.overlaps < size * size / 1000);
-    for (const V3f &normal : baked.normals) REQUIRE((normal - V3f(0, 0, 1)).length() < 1e-3f);
-
-    const TemporaryDirectory directory;
-    const MapFiles files = writeMaps(baked.image, baked.normals, directory / "", "where");
-    const Texture texture(files.baseColor, Encoding::sRgb);
-    std::mt19937 random(4);
-    int wrong = 0, seen = 0;
-    for (int k = 0; k < 20000; ++k) {
-        const std::size_t i = random() % mesh.triangles.size();
-        const auto &[a, b, c] = mesh.triangles[i];
-        const V3f middle = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0f;
-        const V3f expected = (middle + V3f(1, 0, 1)) * 0.5f;
-        const auto found = lookUp(texture, (mesh.uvs[i][0] + mesh.uvs[i][1] + mesh.uvs[i][2]) / 3.0f);
-        ++seen;
-        // A texel is up to a hundredth wide where the surface is seen aslant, and codes have 8 bits.
-        wrong += (V3f(found[0], found[1], found[2]) - expected).length() > 0.02f;
-    }
-    CHECK(wrong < seen / 500);
-}
-
-TEST_CASE("triangles with vertices of their own are unwrapped as if they shared them") {
-    const Mesh whole = ring(V3f(0), V3f(0, 1, 0), 1, 0.4f);
-    Mesh split = whole;
-    split.positions.clear();
-    for (Mesh::Triangle &triangle : split.triangles) {
-        for (std::uint32_t &vertex : triangle) {
-            split.positions.push_back(whole.positions[vertex]);
-            vertex = static_cast<std::uint32_t>(split.positions.size() - 1);
-        }
-    }
-    CHECK(unwrapped(split, 512, 4).uvs == unwrapped(whole, 512, 4).uvs);
-    // More charts than there is room for with gaps: all still get a place.
-    Mesh dust = split;
-    for (std::size_t i = 0; i < dust.positions.size(); ++i) dust.positions[i].x += static_cast<float>(i / 3);
-    for (const auto &corners : unwrapped(dust, 64, 4).uvs)
-        for (const V2f &uv : corners) REQUIRE((uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1));
 }
 
 TEST_CASE("the slabs repeat without a seam") {

@@ -1,17 +1,17 @@
-//! Chunks of a batch: elements of strided arrays as columns, in place or in copies.
+//! Chunks of a batch: elements of strided arrays as columns of numbers, in place or copied.
 
 use super::view::{ConstView, View};
-use crate::num::{Columns, ColumnsMut, Level};
+use crate::num::{ColumnMut, Columns, ColumnsMut, Level};
 use std::mem::MaybeUninit;
 
-/// The most elements that are worked on at once: their numbers stay in the nearest cache.
+/// The greatest number of elements of a chunk. Their numbers fit in the first-level cache.
 pub(super) const CHUNK: usize = 256;
-/// Columns have a multiple of this many numbers, which the width of every level divides.
+/// The lengths of columns are multiples of this number, which the number of lanes of every level divides.
 const LANES: usize = 16;
-/// Batches with fewer elements run at the width 1: to fill lanes would take longer.
+/// Batches with fewer elements are evaluated one by one, because filling lanes would take longer.
 const FEWEST_FOR_LANES: usize = 8;
 
-/// Room for the copy of one component. It is not initialised before it is used.
+/// A buffer for the copy of one component. It is not initialised before it is used.
 #[derive(Clone, Copy)]
 #[repr(C, align(64))]
 pub(super) struct Column<T: Copy>(MaybeUninit<[T; CHUNK]>);
@@ -24,10 +24,10 @@ impl<T: Copy + Default> Column<T> {
         assert!(count <= CHUNK, "{count} of {CHUNK}");
         let first = self.0.as_mut_ptr().cast::<T>();
         for i in 0..count {
-            // SAFETY: there is room for `CHUNK` numbers.
+            // SAFETY: the buffer has `CHUNK` numbers.
             unsafe { first.add(i).write(T::default()) };
         }
-        // SAFETY: they have just been written.
+        // SAFETY: these numbers have just been written.
         unsafe { std::slice::from_raw_parts_mut(first, count) }
     }
 
@@ -41,12 +41,12 @@ impl<T: Copy + Default> Column<T> {
     }
 }
 
-/// Elements of a batch: `count` of them from `first` on.
+/// The `count` elements of a batch that begin at element `first`.
 #[derive(Clone, Copy)]
 pub(super) struct Chunk {
     pub first: usize,
     pub count: usize,
-    /// Whether views may be used in place.
+    /// Whether contiguous views may be used in place.
     is_direct: bool,
     lanes: usize,
 }
@@ -56,13 +56,13 @@ pub(super) struct Chunks {
     count: usize,
     is_direct: bool,
     lanes: usize,
-    /// The level at which they run.
+    /// The level at which the chunks are evaluated.
     pub level: Level,
 }
 
 impl Chunks {
-    /// With `is_direct`, all chunks but the last have whole lanes, so that nothing is read or written beyond
-    /// the end.
+    /// `is_direct` tells that contiguous views may be used in place. Then all chunks but the last have
+    /// whole lanes, so that nothing is read or written beyond the end of a view.
     pub fn new(count: usize, is_direct: bool, level: Level) -> Self {
         let is_short = count < FEWEST_FOR_LANES;
         Self {
@@ -102,7 +102,8 @@ impl Chunks {
 }
 
 impl Chunk {
-    /// The length of its columns; numbers beyond `count` are 0.
+    /// The length of the columns of copies: `count` rounded up to whole lanes. The numbers beyond `count`
+    /// are 0.
     pub fn padded(&self) -> usize {
         self.count.next_multiple_of(self.lanes)
     }
@@ -111,17 +112,17 @@ impl Chunk {
         self.is_direct && view.is_contiguous(components)
     }
 
-    /// The three components of a view's elements.
+    /// Columns of the three components of a view's elements.
     ///
     /// # Safety
-    /// All must be readable, and nothing may write to them while the columns live if [`is_apart`] said that
-    /// the chunks are direct.
+    /// All elements must be readable. If the chunks are direct, nothing may write to them during the
+    /// lifetime of the columns.
     pub unsafe fn columns<'a>(
         &self,
         view: &ConstView,
         room: &'a mut [Column<f32>; 3],
     ) -> Columns<'a, f32> {
-        // SAFETY: contiguous and aligned, or copies; the caller vouches for the rest.
+        // SAFETY: the view is contiguous and aligned, or its elements are copied; the caller vouches for the rest.
         unsafe {
             if self.is_in_place(&view.as_view(), 3) {
                 return Columns::new(
@@ -136,16 +137,18 @@ impl Chunk {
         }
     }
 
-    /// Columns for the three components of a view's elements; [`Chunk::write`] writes them to the view.
+    /// Columns that receive the three components of a view's elements. [`Chunk::write`] copies them to the
+    /// view.
     ///
     /// # Safety
-    /// All must be writable, and apart from all else if [`is_apart`] said so.
+    /// All elements must be writable. If the chunks are direct, nothing else may use them during the
+    /// lifetime of the columns.
     pub unsafe fn columns_mut<'a>(
         &self,
         view: &View,
         room: &'a mut [Column<f32>; 3],
     ) -> ColumnsMut<'a, f32> {
-        // SAFETY: contiguous and aligned, or copies; the caller vouches for the rest.
+        // SAFETY: the view is contiguous and aligned, or its elements are copied; the caller vouches for the rest.
         unsafe {
             if self.is_in_place(view, 3) {
                 let start = view.address(self.first, 0);
@@ -158,7 +161,7 @@ impl Chunk {
         }
     }
 
-    /// The numbers of a view with one component.
+    /// The numbers of a view's first component.
     ///
     /// # Safety
     /// As for [`Chunk::columns`].
@@ -174,38 +177,66 @@ impl Chunk {
         }
     }
 
-    /// Slices for a view's components; [`Chunk::write`] writes them to the view.
+    /// A column that receives the numbers of a view with one component. [`Chunk::write`] copies it to the
+    /// view.
     ///
     /// # Safety
     /// As for [`Chunk::columns_mut`].
-    pub unsafe fn targets<'a, T: Copy + Default, const N: usize>(
+    pub unsafe fn column_mut<'a, T: Copy + Default>(
         &self,
         view: &View<T>,
-        room: &'a mut [Column<T>; N],
-    ) -> [&'a mut [T]; N] {
-        if self.is_in_place(view, N) {
-            // SAFETY: contiguous and aligned; the caller vouches for the rest.
-            return std::array::from_fn(|c| unsafe {
-                std::slice::from_raw_parts_mut(view.address(self.first, c), self.count)
-            });
+        room: &'a mut [Column<T>; 1],
+    ) -> ColumnMut<'a, T> {
+        if self.is_in_place(view, 1) {
+            // SAFETY: the view is contiguous and aligned; the caller vouches for the rest.
+            return unsafe { ColumnMut::new(view.address(self.first, 0), self.count) };
         }
-        room.each_mut().map(|column| column.zeros(self.padded()))
+        ColumnMut::of_slice(room[0].zeros(self.padded()))
     }
 
-    /// Writes to the view what lies in copies.
+    /// A column in the buffer, never in place, so that it can be read afterwards.
+    pub fn scratch<'a>(&self, room: &'a mut [Column<f32>; 1]) -> ColumnMut<'a, f32> {
+        ColumnMut::of_slice(room[0].zeros(self.padded()))
+    }
+
+    /// The numbers of a buffer that [`Chunk::scratch`] prepared.
     ///
     /// # Safety
-    /// All must be writable, and the room must have been prepared by [`Chunk::columns_mut`] or
-    /// [`Chunk::targets`].
+    /// [`Chunk::scratch`] must have prepared the buffer for this chunk.
+    pub unsafe fn numbers<'a>(&self, room: &'a [Column<f32>; 1]) -> &'a [f32] {
+        // SAFETY: the caller vouches for it.
+        unsafe { room[0].numbers(self.count) }
+    }
+
+    /// Copies the results to the view, unless they were written in place.
+    ///
+    /// # Safety
+    /// All elements must be writable, and [`Chunk::columns_mut`] or [`Chunk::column_mut`] must have
+    /// prepared the buffers.
     pub unsafe fn write<T: Copy + Default, const N: usize>(
         &self,
         view: &View<T>,
         room: &[Column<T>; N],
     ) {
-        if view.data.is_null() || self.is_in_place(view, N) {
+        if !self.is_in_place(view, N) {
+            // SAFETY: the caller's promise.
+            unsafe { self.copy_out(view, room) };
+        }
+    }
+
+    /// Copies the buffers to the view, if it is wanted.
+    ///
+    /// # Safety
+    /// As for [`Chunk::write`].
+    pub unsafe fn copy_out<T: Copy + Default, const N: usize>(
+        &self,
+        view: &View<T>,
+        room: &[Column<T>; N],
+    ) {
+        if view.data.is_null() {
             return;
         }
-        // SAFETY: the caller vouches for it; the room was set to 0 at first.
+        // SAFETY: the caller vouches for the view; the buffers were initialised with 0.
         unsafe {
             view.store(
                 self.first,

@@ -1,4 +1,4 @@
-//! Reflectance of a film.
+//! Batches of a film.
 
 use super::chunk::{Chunks, Column};
 use super::view::{ConstView, View, is_apart};
@@ -11,23 +11,23 @@ use crate::num::Level;
 pub struct FilmArgs {
     /// The number of elements.
     pub count: usize,
-    /// Cosines of incidence in the ambient medium.
+    /// Cosines of incidence in the ambient medium, clamped as in [`Film`].
     pub cos_theta: ConstView,
-    /// Thicknesses of the layer that varies, nm; null data if none does.
+    /// Thicknesses of the layer that varies, nm; data may be null if no layer varies.
     pub thickness_nm: ConstView,
-    /// Receives the reflectance.
+    /// Receives the reflectance, linear RGB.
     pub reflectance: View,
 }
 
-/// Reflectance of every element from the ambient's side; with the bits of single calls at every
-/// level.
+/// Evaluates the reflectance from the ambient's side for every element. The results are the bits of single
+/// calls at every level.
 ///
 /// # Errors
-/// `InvalidArgument`, before anything is read or written, if a needed view is null or an offset
-/// overflows the address space.
+/// `InvalidArgument` if a needed view is null or an offset overflows the address space; nothing is then
+/// written.
 ///
 /// # Safety
-/// As [`eval`](super::eval).
+/// As for [`eval`](super::eval).
 pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs, level: Level) -> Result<(), Error> {
     let count = args.count;
     if args.reflectance.data.is_null() {
@@ -44,19 +44,20 @@ pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs, level: Level) -> Re
     let [mut cosines, mut thicknesses] = [Column::EMPTY; 2];
     let mut room = [Column::EMPTY; 3];
     for chunk in chunks.iter() {
-        // SAFETY: the caller vouches for every address of every view; the slices are apart, or copies.
+        // SAFETY: the caller vouches for every address of every view; slices do not overlap, or are copies.
         unsafe {
             let cosines = chunk.read(&args.cos_theta, &mut cosines);
             let thicknesses = chunk.read(&thickness_nm, &mut thicknesses);
-            let reflectance = chunk.targets(&args.reflectance, &mut room);
-            film.reflectance_tile(chunks.level, cosines, thicknesses, reflectance);
+            let mut reflectance = chunk.columns_mut(&args.reflectance, &mut room);
+            film.reflectance_tile(chunks.level, cosines, thicknesses, &mut reflectance);
             chunk.write(&args.reflectance, &room);
         }
     }
     Ok(())
 }
 
-/// The view of the thicknesses; one arbitrary number for a film without a varying layer.
+/// The view of the thicknesses. For a film without a varying layer, null data is replaced by one arbitrary
+/// number for all elements.
 fn thickness(film: &Film, args: &FilmArgs) -> Result<ConstView, Error> {
     if args.thickness_nm.data.is_null() && film.varying_thickness_nm().is_none() {
         return Ok(ConstView {

@@ -1,4 +1,4 @@
-//! Evaluation and sampling of a BSDF for the elements of strided arrays.
+//! Batches of a BSDF: evaluation and sampling for the elements of strided arrays.
 
 use super::chunk::{Chunks, Column};
 use super::varying::{MAX_FLOATS, VaryingViews, with_room};
@@ -18,13 +18,14 @@ pub struct EvalArgs<'a> {
     pub wo: ConstView,
     /// Directions to the light.
     pub wi: ConstView,
-    /// One view per varying parameter, or none at all; null data = the parameter's own value.
+    /// One view per varying parameter, or no views. A parameter whose data is null, and every parameter
+    /// without views, has its default.
     pub varying: &'a [ConstView],
     /// Receives f |wi.z|.
     pub value: View,
-    /// Receives the density of wi from wo.
+    /// Receives the density of wi for a sample from wo.
     pub pdf: View,
-    /// Receives the density of wo from wi.
+    /// Receives the density of wo for a sample from wi.
     pub pdf_reverse: View,
 }
 
@@ -39,15 +40,15 @@ pub struct SampleArgs<'a> {
     pub wo: ConstView,
     /// Uniform numbers in [0, 1).
     pub u: ConstView,
-    /// As in [`EvalArgs`].
+    /// The varying parameters, as in [`EvalArgs`].
     pub varying: &'a [ConstView],
     /// Receives the directions to the light.
     pub wi: View,
-    /// Receives the density.
+    /// Receives the density of wi over all lobes; 0 for a DELTA lobe.
     pub pdf: View,
-    /// Receives value / pdf.
+    /// Receives value / pdf; for a DELTA lobe the throughput over the probability of choosing it.
     pub weight: View,
-    /// Receives the ratio of indices.
+    /// Receives the refractive index on wi's side over that on wo's side.
     pub eta: View,
     /// Receives the chosen lobe's flags.
     pub flags: View<u32>,
@@ -57,15 +58,17 @@ pub struct SampleArgs<'a> {
     pub lobe_probability: View,
 }
 
-/// Value and densities of every element, with the bits of single calls at every level.
+/// Evaluates value and densities for every element. The results are the bits of single calls at every
+/// level.
 ///
 /// # Errors
-/// `InvalidArgument`, before anything is read or written, if a needed view is null, no output is
-/// wanted, the number of varying views is wrong, or an offset overflows the address space.
+/// `InvalidArgument` if a needed view is null, no output is wanted, the number of varying views is wrong,
+/// or an offset overflows the address space; nothing is then written.
 ///
 /// # Safety
-/// Every address that the views stand for must be readable, or writable. An output may coincide
-/// with an input element for element (same address and stride), not otherwise overlap one.
+/// Every address that the views stand for must be readable or, for outputs, writable. An output may be the
+/// same array as an input, with the same address and strides; it must not overlap an input otherwise, nor
+/// another output.
 pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Error> {
     let count = args.count;
     let scalars = [args.pdf, args.pdf_reverse];
@@ -94,8 +97,8 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
     let (mut pdf, mut pdf_reverse) = ([Column::EMPTY], [Column::EMPTY]);
     with_room(varying.floats(), |numbers| {
         for chunk in chunks.iter() {
-            // SAFETY: the caller vouches for every address of every view; what is used in place is apart
-            // from all else.
+            // SAFETY: the caller vouches for every address of every view; an array that is used in place
+            // overlaps no other.
             unsafe {
                 let mut slices = [&[][..]; MAX_FLOATS];
                 let (wo, wi) = (
@@ -104,7 +107,7 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
                 );
                 let varying = bsdf.varying_columns(varying.read(&chunk, numbers, &mut slices));
                 if !args.pdf_reverse.data.is_null() {
-                    let [density] = chunk.targets(&args.pdf_reverse, &mut pdf_reverse);
+                    let density = chunk.column_mut(&args.pdf_reverse, &mut pdf_reverse);
                     let mut job = EvalJob {
                         wo: wi,
                         wi: wo,
@@ -117,7 +120,7 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
                 }
                 let is_value_wanted = !args.value.data.is_null();
                 let is_pdf_wanted = !args.pdf.data.is_null();
-                let [density] = chunk.targets(&args.pdf, &mut pdf);
+                let density = chunk.column_mut(&args.pdf, &mut pdf);
                 let mut job = EvalJob {
                     wo,
                     wi,
@@ -138,13 +141,13 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
     Ok(())
 }
 
-/// A sampled direction for every element, with the bits of single calls at every level.
+/// Samples a direction for every element. The results are the bits of single calls at every level.
 ///
 /// # Errors
-/// As [`eval`].
+/// As for [`eval`].
 ///
 /// # Safety
-/// As [`eval`].
+/// As for [`eval`].
 pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(), Error> {
     let count = args.count;
     let floats = [
@@ -188,20 +191,11 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(),
     let (mut wi, mut weight) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
     let [mut pdf, mut eta, mut lobe, mut probability] = [[Column::EMPTY]; 4];
     let [mut flags, mut numbers_of_lobes] = [[Column::EMPTY]; 2];
-    let not_a_view = View {
-        data: std::ptr::null_mut(),
-        element_stride: 0,
-        component_stride: 0,
-    };
     with_room(varying.floats(), |numbers| {
         for chunk in chunks.iter() {
             // SAFETY: as in `eval`.
             unsafe {
                 let mut slices = [&[][..]; MAX_FLOATS];
-                let [pdf_slice] = chunk.targets(&args.pdf, &mut pdf);
-                let [eta_slice] = chunk.targets(&args.eta, &mut eta);
-                let [lobe_slice] = chunk.targets(&not_a_view, &mut lobe);
-                let [probability_slice] = chunk.targets(&args.lobe_probability, &mut probability);
                 let mut job = SampleJob {
                     wo: chunk.columns(&args.wo, &mut wo),
                     u: chunk.columns(&args.u, &mut u),
@@ -210,35 +204,36 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(),
                     transport: args.call.transport,
                     wi: chunk.columns_mut(&args.wi, &mut wi),
                     weight: chunk.columns_mut(&args.weight, &mut weight),
-                    pdf: pdf_slice,
-                    eta: eta_slice,
-                    lobe: lobe_slice,
-                    lobe_probability: probability_slice,
+                    pdf: chunk.column_mut(&args.pdf, &mut pdf),
+                    eta: chunk.column_mut(&args.eta, &mut eta),
+                    lobe: chunk.scratch(&mut lobe),
+                    lobe_probability: chunk.scratch(&mut probability),
                 };
                 bsdf.sample_job(chunks.level, &mut job);
                 if !(args.flags.data.is_null() && args.lobe.data.is_null()) {
-                    let [flags_slice] = chunk.targets(&args.flags, &mut flags);
-                    let [number_slice] = chunk.targets(&args.lobe, &mut numbers_of_lobes);
-                    let found = job.lobe.iter().zip(job.lobe_probability.iter());
+                    let mut flags_column = chunk.column_mut(&args.flags, &mut flags);
+                    let mut number_column = chunk.column_mut(&args.lobe, &mut numbers_of_lobes);
+                    let found = chunk.numbers(&lobe).iter().zip(chunk.numbers(&probability));
                     for (i, (lobe, probability)) in found.enumerate() {
-                        number_slice[i] = *lobe as u32;
-                        flags_slice[i] = bsdf.sampled_flags(*lobe as usize, *probability > 0.0).0;
+                        number_column.set(i, *lobe as u32);
+                        let flags = bsdf.sampled_flags(*lobe as usize, *probability > 0.0);
+                        flags_column.set(i, flags.0);
                     }
                     chunk.write(&args.flags, &flags);
                     chunk.write(&args.lobe, &numbers_of_lobes);
                 }
+                chunk.copy_out(&args.lobe_probability, &probability);
                 chunk.write(&args.wi, &wi);
                 chunk.write(&args.weight, &weight);
                 chunk.write(&args.pdf, &pdf);
                 chunk.write(&args.eta, &eta);
-                chunk.write(&args.lobe_probability, &probability);
             }
         }
     });
     Ok(())
 }
 
-/// Whether every output that can be written in place is apart from all other views.
+/// Whether no output that can be written in place overlaps another view.
 fn are_apart(
     inputs: &[Span],
     varying: &VaryingViews,

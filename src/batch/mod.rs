@@ -1,4 +1,4 @@
-//! Batches: the same calls for many elements of strided arrays.
+//! Batches: calls for many elements of strided arrays.
 
 #![allow(unsafe_code)]
 

@@ -5,10 +5,10 @@ use super::view::{ConstView, Span, check_reach};
 use crate::bsdf::{Bsdf, MAX_VARYING};
 use crate::error::Error;
 
-/// The most numbers that varying parameters may have together.
+/// The greatest number of components of all varying parameters together.
 pub(super) const MAX_FLOATS: usize = 3 * MAX_VARYING;
 
-/// The varying parameters of all elements.
+/// The views of the varying parameters.
 pub(super) struct VaryingViews<'a> {
     bsdf: &'a Bsdf,
     views: &'a [ConstView],
@@ -35,7 +35,7 @@ impl<'a> VaryingViews<'a> {
         Ok(Self { bsdf, views })
     }
 
-    /// The number of numbers given per element.
+    /// The number of components given per element.
     pub fn floats(&self) -> usize {
         if self.views.is_empty() {
             0
@@ -44,13 +44,13 @@ impl<'a> VaryingViews<'a> {
         }
     }
 
-    /// The addresses of each parameter.
+    /// The address range of each view.
     pub fn spans(&self, count: usize) -> impl Iterator<Item = Span> + '_ {
         let views = self.views.iter().zip(components(self.bsdf));
         views.map(move |(view, components)| view.span(components, count))
     }
 
-    /// The numbers of a chunk, one slice per number, one parameter after another.
+    /// The components of a chunk's elements, one slice per component, one parameter after another.
     ///
     /// # Safety
     /// As for [`Chunk::read`].
@@ -82,7 +82,7 @@ fn components(bsdf: &Bsdf) -> impl Iterator<Item = usize> + '_ {
     bsdf.varying().map(|varying| varying.defaults.len())
 }
 
-/// One component of a chunk, or its default.
+/// One component of a chunk's elements; its default if the view is null.
 unsafe fn component<'a>(
     chunk: &Chunk,
     view: &ConstView,
@@ -107,7 +107,7 @@ unsafe fn component<'a>(
     unsafe { chunk.read(&one, room) }
 }
 
-/// Calls `f` with room for `floats` numbers per element, on the stack.
+/// Calls `f` with buffers for `floats` components on the stack.
 pub(super) fn with_room(floats: usize, f: impl FnOnce(&mut [Column<f32>])) {
     const FEW: usize = 4;
     const SOME: usize = 12;

@@ -1,9 +1,9 @@
-//! Strided arrays, and the checks that come before any address is used.
+//! Strided arrays, and the checks that are made before any address is used.
 
 use crate::error::Error;
 
-/// A strided array to read: component c of element i is `i * element_stride + c * component_stride`
-/// bytes from `data`. Any alignment, any sign of stride.
+/// A strided array to read: component c of element i is `i * element_stride + c * component_stride` bytes
+/// after `data`. Any alignment is allowed, and strides may be negative or 0.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct ConstView {
@@ -15,7 +15,7 @@ pub struct ConstView {
     pub component_stride: isize,
 }
 
-/// A strided array to write, addressed like [`ConstView`]; null data = not wanted.
+/// A strided array to write, addressed like [`ConstView`]. Null data means that the output is not wanted.
 #[derive(Clone, Copy, Debug)]
 pub struct View<T = f32> {
     /// Component 0 of element 0.
@@ -26,17 +26,18 @@ pub struct View<T = f32> {
     pub component_stride: isize,
 }
 
-/// First and last address of a view's elements; `None` without elements.
+/// The first and the last address of a view's elements; `None` for null data or without elements.
 pub(super) type Span = Option<[usize; 2]>;
 
-/// The least distance of two components' columns that are used in place, in elements: a chunk's length.
+/// The least distance of the columns of two components that are used in place, in elements: the length of a
+/// chunk.
 pub(super) const LEAST_DISTANCE: usize = 256;
 
-/// Bytes of a number.
+/// The size of a number in bytes.
 const NUMBER: isize = size_of::<f32>() as isize;
 
 impl ConstView {
-    /// Refuses null, unless there are no elements, and offsets that overflow.
+    /// Refuses null data, unless there are no elements, and offsets that overflow.
     #[inline]
     pub(super) fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {
         if self.data.is_null() && count > 0 {
@@ -56,7 +57,7 @@ impl ConstView {
         unsafe { self.as_view().address(i, c) }
     }
 
-    /// The same addresses, for what does not depend on writing.
+    /// A [`View`] with the same addresses, for methods that do not write.
     pub(super) fn as_view(&self) -> View {
         View {
             data: self.data.cast_mut(),
@@ -70,17 +71,17 @@ impl ConstView {
         self.as_view().column_stride()
     }
 
-    /// Copies `count` elements from the first on, one column per component.
+    /// Copies the `count` elements that begin at `first` to one column per component.
     pub(super) unsafe fn load(&self, first: usize, count: usize, room: &mut [&mut [f32]]) {
-        // SAFETY: the caller of the batch vouches for all addresses; check for the offsets.
+        // SAFETY: the caller of the batch vouches for all addresses; `check` has found that no offset overflows.
         unsafe {
-            // Loops with strides known to the compiler are faster.
+            // Loops whose strides the compiler knows are faster.
             if let [x, y, z] = room
                 && self.element_stride == 3 * NUMBER
                 && self.component_stride == NUMBER
             {
                 let data = self.address(first, 0).cast::<[f32; 3]>();
-                // Equal lengths, known to the compiler, avoid a check for each number.
+                // Equal lengths, which the compiler knows, avoid a check for each number.
                 let (x, y, z) = (&mut x[..count], &mut y[..count], &mut z[..count]);
                 for i in 0..count {
                     [x[i], y[i], z[i]] = data.add(i).read_unaligned();
@@ -100,7 +101,7 @@ impl ConstView {
     }
 }
 
-/// Copies numbers that lie `stride` bytes apart.
+/// Copies numbers that are `stride` bytes apart.
 #[inline(always)]
 unsafe fn gather(data: *const f32, stride: isize, numbers: &mut [f32]) {
     for (i, number) in numbers.iter_mut().enumerate() {
@@ -109,7 +110,7 @@ unsafe fn gather(data: *const f32, stride: isize, numbers: &mut [f32]) {
     }
 }
 
-/// The reverse of [`gather`].
+/// Copies numbers to addresses that are `stride` bytes apart.
 #[inline(always)]
 unsafe fn scatter<T: Copy>(data: *mut T, stride: isize, numbers: &[T]) {
     for (i, number) in numbers.iter().enumerate() {
@@ -133,15 +134,15 @@ impl<T: Copy> View<T> {
         )
     }
 
-    /// Component c of element i.
+    /// The address of component c of element i.
     pub(super) unsafe fn address(&self, i: usize, c: usize) -> *mut T {
         let offset = i as isize * self.element_stride + c as isize * self.component_stride;
-        // SAFETY: the caller vouches for the address, check for the offset.
+        // SAFETY: the caller vouches for the address; `check` has found that the offset does not overflow.
         unsafe { self.data.byte_offset(offset) }
     }
 
-    /// Whether the elements of each component lie side by side, as numbers do in a slice, and those of a
-    /// chunk apart from those of other components.
+    /// Whether the numbers of each component are aligned and contiguous, as in a slice, and the columns of
+    /// different components do not overlap within a chunk.
     pub(super) fn is_contiguous(&self, components: usize) -> bool {
         let [number, between] = [size_of::<T>() as isize, self.component_stride];
         let is_apart =
@@ -150,12 +151,12 @@ impl<T: Copy> View<T> {
         self.element_stride == number && is_aligned && (components == 1 || is_apart)
     }
 
-    /// Elements from one component's column to the next, for a contiguous view.
+    /// For a contiguous view: the distance of the columns of successive components, in numbers.
     pub(super) fn column_stride(&self) -> isize {
         self.component_stride / size_of::<T>() as isize
     }
 
-    /// The first and the last address.
+    /// The address range of `count` elements.
     pub(super) fn span(&self, components: usize, count: usize) -> Span {
         if self.data.is_null() || count == 0 {
             return None;
@@ -174,17 +175,17 @@ impl<T: Copy> View<T> {
         Some([least, greatest.wrapping_add(size_of::<T>() - 1)])
     }
 
-    /// The span, and whether it could be written where it lies.
+    /// The address range, and whether the elements can be written in place.
     pub(super) fn target(&self, components: usize, count: usize) -> (Span, bool) {
         (self.span(components, count), self.is_contiguous(components))
     }
 
-    /// Writes elements from the first on, given by component.
+    /// Writes elements, given as one column per component, from element `first` on.
     pub(super) unsafe fn store<const N: usize>(&self, first: usize, columns: [&[T]; N]) {
         let number = size_of::<T>() as isize;
         let count = columns[0].len();
         let columns = columns.map(|column| &column[..count]);
-        // SAFETY: the caller of the batch vouches for all addresses; check for the offsets.
+        // SAFETY: the caller of the batch vouches for all addresses; `check` has found that no offset overflows.
         unsafe {
             if N > 1
                 && self.element_stride == N as isize * number
@@ -210,7 +211,7 @@ impl<T: Copy> View<T> {
     }
 }
 
-/// Refuses views whose farthest component is further away than an address can say.
+/// Refuses views with an element whose offset overflows the address space.
 #[inline]
 pub(super) fn check_reach(
     name: &str,
@@ -219,7 +220,7 @@ pub(super) fn check_reach(
     element_stride: isize,
     component_stride: isize,
 ) -> Result<(), Error> {
-    // 2^32 elements 2^30 bytes apart are within reach.
+    // Offsets of 2^32 elements with strides of 2^30 bytes do not overflow.
     const NEAR: usize = 1 << 30;
     let strides = element_stride.unsigned_abs() | component_stride.unsigned_abs();
     if count <= u32::MAX as usize && strides < NEAR {
@@ -238,7 +239,7 @@ pub(super) fn check_reach(
     }
 }
 
-/// Whether no output that could be written where it lies touches any other view.
+/// Whether no output that can be written in place overlaps another view.
 pub(super) fn is_apart(inputs: &[Span], outputs: &[(Span, bool)]) -> bool {
     let touch = |a: &Span, b: &Span| match (a, b) {
         (Some([a, b]), Some([c, d])) => a <= d && c <= b,

@@ -1,24 +1,25 @@
-//! What a caller may ask of an evaluation beyond its directions.
+//! The options of a call.
 
 use super::info::Flags;
 
-/// What travels along the path that a sample extends.
+/// The quantity that is transported along the path that a sample extends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Transport {
-    /// Radiance, from a camera: refraction carries (eta_o / eta_i)^2 (Veach 1997, section 5.2).
+    /// Radiance, along paths from the camera. The weight of a refracted sample has the factor (eta_o /
+    /// eta_i)^2 (Veach 1997, section 5.2).
     #[default]
     Radiance,
-    /// Importance, from a light: it does not.
+    /// Importance, along paths from a light. That factor is left out.
     Importance,
 }
 
-/// Options of a call.
+/// The options of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Call {
-    /// What travels along the path.
+    /// The quantity that is transported along the path. Only samples depend on it.
     pub transport: Transport,
-    /// The lobes that take part: those all of whose flags are in this set. Values, densities and samples
-    /// are those of these lobes alone.
+    /// The lobes that take part: a lobe does if all its flags are in this set. Values, densities and
+    /// samples are those of these lobes alone.
     pub lobes: Flags,
 }
 

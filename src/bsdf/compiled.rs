@@ -1,4 +1,4 @@
-//! The kernel of a model all of whose lobes reflect and have a density.
+//! The kernel of models whose lobes all reflect and have a density.
 
 use super::call::Transport;
 use super::job::{Direction, EvalJob, SampleJob, choices, eval_pdf, sample, with_overrides};
@@ -10,22 +10,23 @@ use super::surface::Surface;
 use super::varying::VaryingValues;
 use crate::num::{Lane, Level, Rgb, Vec3, Work};
 
-/// A compiled model all of whose lobes reflect and have a density: its numbers and tables, from which a
-/// [`Surface`] is made for each job.
+/// A compiled model whose lobes all reflect and have a density: its numbers and tables, from which each job
+/// makes a [`Surface`].
 pub trait Compiled<T: Precision>: Send + Sync + 'static {
     /// The surface that is evaluated.
     type Surface<'a, L: Lane<Scalar = T>>: Surface<L>;
 
-    /// The surface with the description's values; [`Surface::finish_vary`] is still to be called.
+    /// The surface with the values of the description. The caller must call [`Surface::finish_vary`] before
+    /// evaluating it.
     fn surface<L: Lane<Scalar = T>>(&self) -> Self::Surface<'_, L>;
 
-    /// See [`Kernel::plan`].
+    /// The parts of the plan in words, see [`Kernel::plan`].
     fn plan(&self) -> Vec<&'static str> {
         Vec::new()
     }
 
-    /// Runs an evaluation. A model may run a surface whose type is specialised for the most frequent case;
-    /// each such copy takes its time to compile.
+    /// Runs an evaluation job. A model may override this to run a copy specialised for its most frequent
+    /// case; each copy lengthens the build.
     #[inline(always)]
     fn evaluate<L: Lane<Scalar = T>>(&self, job: &mut EvalJob<T>) {
         job.run(self.surface::<L>());
@@ -68,8 +69,8 @@ pub fn kernel<T: Precision>(compiled: impl Compiled<T>) -> Box<dyn Kernel<T>> {
 struct LobeKernel<C>(C);
 
 impl<C> LobeKernel<C> {
-    /// Calls `f` with the surface for a call that sets parameters or leaves lobes out; `None` if a value is
-    /// unusable. Kept out of the calls that do neither, which need no surface in memory.
+    /// Calls `f` with the surface of a call that sets parameters or leaves lobes out; `None` if a value is
+    /// unusable. It is not inlined, because calls that do neither need no surface in memory.
     #[inline(never)]
     fn with_varied<T: Precision, R>(
         &self,
@@ -97,7 +98,7 @@ impl<C> LobeKernel<C> {
         )
     }
 
-    /// The surface with the description's values.
+    /// The surface with the values of the description, ready for evaluation.
     #[inline(always)]
     fn settled<T: Precision>(&self) -> C::Surface<'_, T>
     where

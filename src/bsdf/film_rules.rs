@@ -1,4 +1,4 @@
-//! The rules about the film that a model takes, and about the thickness of its varying layer.
+//! The rules for the film of a model and for the thickness of its varying layer.
 
 use super::info::ParamKind;
 use super::registry::RegisteredModel;
@@ -7,8 +7,8 @@ use super::varying::VaryingRange;
 use crate::error::Error;
 use crate::film::Film;
 
-/// Refuses a film that is not used, the lack of one that is, and a thickness that does not fit it.
-/// `given` tells which parameters have a value of their own.
+/// Refuses a film that the model does not use, a missing film that it needs, and a thickness that is
+/// outside the range of the film. `given` tells for each parameter whether the description gives a value.
 pub(super) fn check_film(
     entry: &RegisteredModel,
     film: Option<&Film>,
@@ -58,7 +58,7 @@ pub(super) fn check_film(
              as a layer of its film varies"
         ))),
         Some(range) => {
-            // Thicknesses are in single precision: an end of the range is rounded like them.
+            // Thicknesses are in single precision, so the ends of the range are rounded to it too.
             let [min, max] = range.map(|nm| nm as f32);
             let outside = |(_, number): &&(&str, f32)| !(min..=max).contains(number);
             let Some((which, number)) = thicknesses.iter().find(outside) else {
@@ -72,8 +72,8 @@ pub(super) fn check_film(
     }
 }
 
-/// For a model that takes a film under one of its choices: how a message says that it is made, and that
-/// another is.
+/// For a model that takes a film only under one choice: the parts of the messages for a film that is
+/// missing and for one that is not used.
 fn under_choice(entry: &RegisteredModel, values: &Values<f32>) -> Option<(String, String)> {
     let needed = entry.info.film_choice?;
     let param = &entry.info.params[needed.param];

@@ -1,8 +1,8 @@
-//! What a model says about itself: name, parameters, lobes, and which laws it breaks and why.
+//! The description of a model: name, parameters, lobes, and which laws it breaks and why.
 //!
 //! The C interface keeps NUL-terminated copies of these texts.
 
-/// A set of the `PELLICLE_REFLECTION`, ... bits.
+/// A set of flags of lobes. The bits are those of the C interface (`PELLICLE_REFLECTION` and so on).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Flags(pub u32);
 
@@ -11,22 +11,22 @@ impl Flags {
     pub const REFLECTION: Self = Self(1);
     /// Light leaves on the other side.
     pub const TRANSMISSION: Self = Self(2);
-    /// A broad lobe.
+    /// The lobe is broad and has no preferred direction.
     pub const DIFFUSE: Self = Self(4);
-    /// A lobe around a preferred direction.
+    /// The lobe lies around a preferred direction.
     pub const GLOSSY: Self = Self(8);
-    /// A perfectly specular lobe.
+    /// The lobe is perfectly specular: its value and density are 0, and only sampling finds it.
     pub const DELTA: Self = Self(16);
 
     /// Every flag.
     pub const ALL: Self = Self(31);
 
-    /// Both sets together.
+    /// The union of both sets.
     pub const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    /// Those of several lobes together.
+    /// The union of the flags of several lobes.
     pub fn of(lobes: &[LobeInfo]) -> Self {
         lobes
             .iter()
@@ -39,33 +39,34 @@ impl Flags {
     }
 }
 
-/// A model: everything that introspection, validation, tests and documentation need to know.
+/// A model as validation, introspection, tests and documentation see it.
 #[derive(Debug)]
 pub struct ModelInfo {
-    /// The name to create it by.
+    /// The name, for [`Description::new`](super::Description::new).
     pub name: &'static str,
-    /// One sentence.
+    /// What the model is, in one sentence.
     pub summary: &'static str,
-    /// Where the model comes from.
+    /// The publications of the model.
     pub source: &'static str,
-    /// The parameters, in the order of their indices.
+    /// The parameters. Other fields refer to them by their index in this list.
     pub params: &'static [ParamInfo],
-    /// The lobes that sampling chooses from, in the order of their numbers.
+    /// The lobes that sampling chooses from. A BSDF may have fewer, see
+    /// [`Bsdf::lobe_infos`](super::Bsdf::lobe_infos).
     pub lobes: &'static [LobeInfo],
-    /// Index of the parameter that is the thickness of the film's varying layer, for a model that
-    /// takes a film.
+    /// For a model that takes a film: the index of the parameter that is the thickness of the film's
+    /// varying layer.
     pub film_thickness: Option<usize>,
-    /// The choice under which alone a model that takes a film uses it.
+    /// For a model that takes a film only under one choice: that choice.
     pub film_choice: Option<Choice>,
-    /// When and why value(wo, wi) wo.z differs from value(wi, wo) wi.z.
+    /// When and why value(wo, wi) wo.z differs from value(wi, wo) wi.z; `None` if it never does.
     pub not_reciprocal: Option<Exception>,
-    /// When and why the directional albedo exceeds 1.
+    /// When and why the directional albedo exceeds 1; `None` if it never does.
     pub not_conserving: Option<Exception>,
 }
 
 impl ModelInfo {
-    /// No lobes, no film, and every law obeyed: what a model does not say.
-    pub const PLAIN: Self = Self {
+    /// The defaults of the fields: no parameters, no lobes, no film, and every law obeyed.
+    pub(super) const PLAIN: Self = Self {
         name: "",
         summary: "",
         source: "",
@@ -77,12 +78,12 @@ impl ModelInfo {
         not_conserving: None,
     };
 
-    /// The flags of all lobes together.
+    /// The union of the flags of all lobes.
     pub fn flags(&self) -> Flags {
         Flags::of(self.lobes)
     }
 
-    /// The index of a parameter.
+    /// The index of the parameter with that name.
     pub fn param(&self, name: &str) -> Option<usize> {
         self.params.iter().position(|param| param.name == name)
     }
@@ -91,23 +92,28 @@ impl ModelInfo {
 /// One choice of one parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {
-    /// Index of the parameter, a choice.
+    /// The index of the parameter, whose kind is [`ParamKind::Choice`].
     pub param: usize,
-    /// Index of what is chosen.
+    /// The index of the chosen name.
     pub choice: usize,
+}
+
+/// A [`Choice`] from the indices of the parameter and of the chosen name.
+pub(super) const fn chosen(param: usize, choice: usize) -> Choice {
+    Choice { param, choice }
 }
 
 /// A law that a model breaks for some of its choices.
 #[derive(Debug)]
 pub struct Exception {
-    /// The law is broken where all choices of one of these cases are made.
+    /// The cases in which the law is broken: in each, all of its choices are made.
     pub cases: &'static [&'static [Choice]],
-    /// The reason, naming the choices.
+    /// When and why, in words that name the choices.
     pub reason: &'static str,
 }
 
 impl Exception {
-    /// Whether the law is broken, given what is chosen for each parameter.
+    /// Whether the law is broken. `chosen` gives the choice made for each parameter.
     pub fn applies(&self, chosen: impl Fn(usize) -> usize) -> bool {
         is_any_made(self.cases, chosen)
     }
@@ -122,40 +128,41 @@ fn is_any_made(cases: &[&[Choice]], chosen: impl Fn(usize) -> usize) -> bool {
 /// A lobe that sampling may choose.
 #[derive(Debug)]
 pub struct LobeInfo {
-    /// Its name in documentation and tests.
+    /// The name, for documentation and tests.
     pub name: &'static str,
-    /// Side and breadth.
+    /// The side and the breadth of the lobe.
     pub flags: Flags,
 }
 
 impl LobeInfo {
-    /// A broad lobe that reflects.
-    pub const DIFFUSE: Self = Self {
+    /// A diffuse lobe that reflects.
+    pub(super) const DIFFUSE: Self = Self {
         name: "diffuse",
         flags: Flags::REFLECTION.with(Flags::DIFFUSE),
     };
-    /// A highlight.
-    pub const SPECULAR: Self = Self {
+    /// A glossy lobe that reflects.
+    pub(super) const SPECULAR: Self = Self {
         name: "specular",
         flags: Flags::REFLECTION.with(Flags::GLOSSY),
     };
 }
 
-/// A parameter.
+/// A parameter of a model.
 #[derive(Debug)]
 pub struct ParamInfo {
-    /// The name it is set by.
+    /// The name, for [`Description::set`](super::Description::set) or
+    /// [`choose`](super::Description::choose).
     pub name: &'static str,
-    /// "nm", or "" for a pure number.
+    /// "nm", "radians" or "turns", or "" for a pure number.
     pub unit: &'static str,
-    /// One sentence.
+    /// What the parameter means, in one sentence.
     pub summary: &'static str,
-    /// What it holds.
+    /// Its kind, range and default.
     pub kind: ParamKind,
-    /// Whether it may be given per call.
+    /// Whether it may vary per call.
     pub can_vary: bool,
-    /// The parameter has an effect where all choices of one of these cases are made; none: always. Where it
-    /// has none, a description that gives it is refused.
+    /// The cases in which the parameter has an effect: in each, all of its choices are made. Without cases
+    /// it always has one. A description that gives a parameter without effect is refused.
     pub used_with: &'static [&'static [Choice]],
 }
 
@@ -173,8 +180,8 @@ impl ParamInfo {
         }
     }
 
-    /// A number that may vary.
-    pub const fn number(
+    /// One number, which may vary.
+    pub(super) const fn number(
         name: &'static str,
         summary: &'static str,
         range: [f32; 2],
@@ -183,8 +190,8 @@ impl ParamInfo {
         Self::numbers(name, summary, 1, range, default)
     }
 
-    /// A number per colour channel that may vary.
-    pub const fn rgb(
+    /// One number per colour channel, which may vary.
+    pub(super) const fn rgb(
         name: &'static str,
         summary: &'static str,
         range: [f32; 2],
@@ -209,13 +216,13 @@ impl ParamInfo {
         Self::new(name, summary, kind)
     }
 
-    /// A direction that may vary, whose z is at least `min_z` after normalisation.
-    pub const fn direction(name: &'static str, summary: &'static str, min_z: f32) -> Self {
+    /// A direction whose z is at least `min_z` after normalisation; it may vary.
+    pub(super) const fn direction(name: &'static str, summary: &'static str, min_z: f32) -> Self {
         Self::new(name, summary, ParamKind::Direction { min_z })
     }
 
-    /// A choice, which may not.
-    pub const fn choice(
+    /// A choice, which may not vary.
+    pub(super) const fn choice(
         name: &'static str,
         summary: &'static str,
         choices: &'static [&'static str],
@@ -223,38 +230,38 @@ impl ParamInfo {
         Self::new(name, summary, ParamKind::Choice { choices })
     }
 
-    /// With a unit.
-    pub const fn in_unit(self, unit: &'static str) -> Self {
+    /// The same parameter with a unit.
+    pub(super) const fn in_unit(self, unit: &'static str) -> Self {
         Self { unit, ..self }
     }
 
-    /// Has an effect only where all choices of one of the cases are made.
-    pub const fn used_with(self, cases: &'static [&'static [Choice]]) -> Self {
+    /// The same parameter with an effect only where all choices of one of the cases are made.
+    pub(super) const fn used_with(self, cases: &'static [&'static [Choice]]) -> Self {
         Self {
             used_with: cases,
             ..self
         }
     }
 
-    /// Whether it has an effect, given what is chosen for each parameter.
+    /// Whether the parameter has an effect. `chosen` gives the choice made for each parameter.
     pub fn is_used(&self, chosen: impl Fn(usize) -> usize) -> bool {
         self.used_with.is_empty() || is_any_made(self.used_with, chosen)
     }
 
-    /// May not be given per call.
-    pub const fn fixed(self) -> Self {
+    /// The same parameter, which may not vary.
+    pub(super) const fn fixed(self) -> Self {
         Self {
             can_vary: false,
             ..self
         }
     }
 
-    /// Its name.
+    /// The name.
     pub fn name(&self) -> &'static str {
         self.name
     }
 
-    /// How many numbers it has; 0 for a choice.
+    /// The number of its components; 0 for a choice.
     pub fn components(&self) -> usize {
         match self.kind {
             ParamKind::Number { components, .. } => components,
@@ -264,12 +271,12 @@ impl ParamInfo {
     }
 }
 
-/// What a parameter holds, what is allowed, and its default.
+/// The kind of a parameter, the values allowed and the default.
 #[derive(Debug)]
 pub enum ParamKind {
-    /// Numbers, each within [min, max].
+    /// One or three numbers, each within [min, max].
     Number {
-        /// 1 or 3.
+        /// The number of components: 1 or 3.
         components: usize,
         /// Least value of each component.
         min: f32,
@@ -278,12 +285,12 @@ pub enum ParamKind {
         /// Default of each component.
         default: f32,
     },
-    /// A direction in the shading frame, of any length but 0; +Z by default.
+    /// A direction in the shading frame, of any length but 0. The default is +Z.
     Direction {
         /// Least z after normalisation.
         min_z: f32,
     },
-    /// One name out of a list; the first by default.
+    /// One name out of a list. The first is the default.
     Choice {
         /// The names.
         choices: &'static [&'static str],

@@ -1,4 +1,4 @@
-//! A BSDF: a model with validated parameters, compiled, immutable, ready to be called.
+//! A BSDF: a model compiled for validated parameters.
 
 use super::call::Call;
 use super::description::Description;
@@ -8,37 +8,38 @@ use super::kernel::Kernel;
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
 use super::precision::Precision;
 use super::registry::find;
+use super::resolve::resolve;
 use super::varying::{VaryingParams, VaryingRange, VaryingValues};
 use crate::error::Error;
 use crate::num::{Level, Rgb, Vec3};
 
-/// Values at a pair of directions.
+/// Value and densities at a pair of directions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Evaluation<T = f32> {
     /// f(wo, wi) |wi.z|.
     pub value: Rgb<T>,
-    /// The density with which [`Bsdf::sample`] finds wi from wo, per solid angle.
+    /// The density with which [`Bsdf::sample`] finds wi from wo, per solid angle of wi.
     pub pdf: T,
-    /// The density with which it finds wo from wi.
+    /// The density with which it finds wo from wi, per solid angle of wo.
     pub pdf_reverse: T,
 }
 
-/// A sampled direction; all 0: no valid sample.
+/// A sampled direction. Without a valid sample every field is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<T: Precision = f32> {
-    /// To the light, unit.
+    /// The direction to the light, of unit length.
     pub wi: T::Vector,
-    /// Density of wi over all lobes, per solid angle; 0 for a DELTA lobe.
+    /// The density of wi over all lobes of the call, per solid angle; 0 for a DELTA lobe.
     pub pdf: T,
     /// value / pdf, RGB; for a DELTA lobe its throughput over the probability of choosing it.
     pub weight: Rgb<T>,
-    /// Index on wi's side over the index on wo's side.
+    /// The refractive index on wi's side over that on wo's side; 1 for a reflection.
     pub eta: T,
-    /// Flags of the chosen lobe.
+    /// The flags of the chosen lobe.
     pub flags: Flags,
-    /// Number of the chosen lobe.
+    /// The number of the chosen lobe, an index into [`Bsdf::lobe_infos`].
     pub lobe: usize,
-    /// The probability with which the lobe was chosen.
+    /// The probability with which that lobe was chosen among the lobes of the call.
     pub lobe_probability: T,
 }
 
@@ -51,23 +52,26 @@ pub struct Varying<'a, T: Precision = f32> {
     pub min: f32,
     /// Greatest value of each component; 0 for a direction.
     pub max: f32,
-    /// The values that a call without `varying` uses: those of the description, the model's defaults held in
-    /// the range, or for a film's thickness the least of the range.
+    /// The values that calls without `varying` use, one per component: those of the description or, without
+    /// them, the model's defaults clamped to the range.
     pub defaults: &'a [T],
 }
 
-/// A compiled BSDF. Share it between threads as you like; no call but [`Bsdf::new`] allocates.
+/// A compiled BSDF. It is immutable, threads may share it, and calls of it do not allocate.
 ///
-/// `varying` holds the components of the parameters that [`Description::vary`] declared, one after
-/// another, [`Bsdf::varying_floats`] in all; with `None` they keep the values set in the description.
-/// A finite number outside its declared range is clamped to it; NaN, infinity, a wrong length or a
-/// direction with z <= 0 gives 0. So do directions that are not unit to 1e-3, and directions with
-/// z <= 0; with TRANSMISSION among [`Bsdf::flags`], z < 0 is the base's side and z = 0 gives 0.
+/// Calls take directions, the values of the varying parameters and the options of the [`Call`]. `varying`
+/// has the components of the parameters that [`Description::vary`] declared, one parameter after another,
+/// [`Bsdf::varying_floats`] numbers in all; with `None` they have their defaults, see
+/// [`Varying::defaults`]. A finite number outside its declared range is clamped to it.
+///
+/// Invalid input gives 0: NaN or infinity, a `varying` of a wrong length, a varying direction with z <= 0,
+/// random numbers outside [0, 1), directions whose length is not 1 to within 1e-3, and directions with z <= 0.
+/// A BSDF with TRANSMISSION among its [`Bsdf::flags`] also takes directions with z < 0, on the side of the base.
 pub struct Bsdf<T: Precision = f32> {
     info: &'static ModelInfo,
-    /// The lobes of this instance.
+    /// The lobes of this BSDF.
     lobes: &'static [LobeInfo],
-    /// Whether there is a base's side.
+    /// Whether light reaches the other side of the surface, where z < 0.
     is_two_sided: bool,
     kernel: Box<dyn Kernel<T>>,
     varying: VaryingParams<T>,
@@ -80,13 +84,15 @@ impl<T: Precision> Bsdf<T> {
     /// Validates and compiles a description.
     ///
     /// # Errors
-    /// `UnknownName`, `OutOfRange`, `InvalidArgument` or `Unsupported`, with a message that names
-    /// the parameter, its value and what is allowed; `OutOfMemory` if there is no memory for a model's
-    /// tables.
+    /// `UnknownName` (model, parameter, choice, level), `OutOfRange` (numbers, ranges, sums),
+    /// `InvalidArgument` (a wrong count, something given twice, a parameter without effect, a film that is
+    /// missing or not used) or `Unsupported` (a parameter that cannot vary, a combination that the model
+    /// does not offer), with a message that names the parameter, its value and what is allowed;
+    /// `OutOfMemory` if there is no memory for tables.
     pub fn new(description: &Description) -> Result<Self, Error> {
         let model = find(description.model())?;
         let level = description.level()?;
-        let resolved = description.resolve(model)?;
+        let resolved = resolve(description, model)?;
         let values = resolved.values_in::<T>(model.info);
         let lobes = (model.lobes)(&resolved.values);
         let kernel = T::prepare(|| model.prepare, || model.oracle(), &values)?;
@@ -102,29 +108,29 @@ impl<T: Precision> Bsdf<T> {
         })
     }
 
-    /// The description of the model.
+    /// The model.
     pub fn info(&self) -> &'static ModelInfo {
         self.info
     }
 
-    /// What this BSDF was specialised to: the terms that its values leave out and the formulas that are shorter
-    /// for them, separated by commas; and the instructions that batches use.
+    /// The plan in words: the terms that are left out and the formulas that are shorter for the values of
+    /// this BSDF, separated by commas, and the instructions that batches use.
     pub fn plan(&self) -> &str {
         &self.plan
     }
 
-    /// The flags of the lobes that this BSDF has, together: those of the model, or fewer.
+    /// The union of the flags of the lobes of this BSDF.
     pub fn flags(&self) -> Flags {
         Flags::of(self.lobes)
     }
 
-    /// The lobes that this BSDF has: those of the model, or some of them. A sample's lobe is an index
-    /// into them.
+    /// The lobes of this BSDF: those of the model, or some of them. [`Sample::lobe`] is an index into this
+    /// list.
     pub fn lobe_infos(&self) -> &'static [LobeInfo] {
         self.lobes
     }
 
-    /// The parameters that vary per call, in declared order.
+    /// The parameters that vary per call, in the order of their declaration.
     pub fn varying(&self) -> impl ExactSizeIterator<Item = Varying<'_, T>> {
         let mut rest = self.varying.defaults();
         self.ranges.iter().map(move |range| {
@@ -140,12 +146,12 @@ impl<T: Precision> Bsdf<T> {
         })
     }
 
-    /// How many parameters vary per call.
+    /// The number of parameters that vary per call.
     pub fn varying_count(&self) -> usize {
         self.ranges.len()
     }
 
-    /// How many numbers the varying parameters have together.
+    /// The number of components of all varying parameters together.
     pub fn varying_floats(&self) -> usize {
         self.varying.defaults().len()
     }
@@ -164,6 +170,7 @@ impl<T: Precision> Bsdf<T> {
     }
 
     /// [`Bsdf::eval`] and the density with which [`Bsdf::sample`] finds wi, per solid angle.
+    #[inline(always)]
     pub fn eval_pdf(
         &self,
         wo: T::Vector,
@@ -177,7 +184,8 @@ impl<T: Precision> Bsdf<T> {
         .unwrap_or(([T::new(0.0); 3], T::new(0.0)))
     }
 
-    /// [`Bsdf::eval_pdf`], and the density of the reverse.
+    /// Value, density and reverse density.
+    #[inline(never)] // so that the frequent calls are inlined at the C boundary
     pub fn evaluate(
         &self,
         wo: T::Vector,
@@ -194,7 +202,8 @@ impl<T: Precision> Bsdf<T> {
         }
     }
 
-    /// Calls `f` if both directions and the number of varying values are valid, and a lobe takes part.
+    /// Calls `f` if both directions and the number of varying values are valid and at least one lobe takes
+    /// part.
     #[inline(always)]
     fn at_pair<R>(
         &self,
@@ -210,7 +219,7 @@ impl<T: Precision> Bsdf<T> {
         (!lobes.is_empty()).then(|| f(wo, wi, &varying, lobes))
     }
 
-    /// The probability of choosing each lobe, and each lobe's own density at wi.
+    /// The probability of choosing each lobe, and the density of each lobe at wi.
     #[doc(hidden)]
     pub fn lobes(
         &self,
@@ -225,7 +234,7 @@ impl<T: Precision> Bsdf<T> {
         .unwrap_or((none, none))
     }
 
-    /// A direction for three uniform numbers in [0, 1), of which the first chooses the lobe.
+    /// Samples a direction from three uniform numbers in [0, 1). The first one chooses the lobe.
     pub fn sample(
         &self,
         wo: T::Vector,
@@ -253,10 +262,10 @@ impl<T: Precision> Bsdf<T> {
         }
     }
 
-    /// Directional albedo, the integral of the value over wi: how bright the surface looks from wo in
-    /// a white furnace. By quadrature (some milliseconds) unless the model has a closed form. What is
-    /// transmitted counts as radiance, (eta_o / eta_i)^2 times its power: seen from within a dense
-    /// base the albedo exceeds 1.
+    /// The directional albedo, which is the integral of the value over wi, DELTA lobes included. It is
+    /// found by quadrature, which takes some milliseconds, unless the model has a closed form. Transmitted
+    /// light counts as radiance, (eta_o / eta_i)^2 times its power, so that the albedo exceeds 1 for light
+    /// that comes from within a dense base.
     pub fn albedo(&self, wo: T::Vector, varying: Option<&[T]>, call: &Call) -> Rgb<T> {
         let lobes = LobeSet::wanted(self.lobes, call.lobes);
         let found = || {
@@ -266,7 +275,7 @@ impl<T: Precision> Bsdf<T> {
         found().unwrap_or([T::new(0.0); 3])
     }
 
-    /// Evaluates a job; 0 without lobes.
+    /// Evaluates a job. Without lobes the results are 0.
     pub(crate) fn eval_job(&self, level: Level, job: &mut EvalJob<T>) {
         if job.lobes.is_empty() {
             job.clear();
@@ -275,7 +284,7 @@ impl<T: Precision> Bsdf<T> {
         }
     }
 
-    /// Samples a job; 0 without lobes.
+    /// Samples a job. Without lobes the results are 0.
     pub(crate) fn sample_job(&self, level: Level, job: &mut SampleJob<T>) {
         if job.lobes.is_empty() {
             job.run_each(|_, _, _| Direction::none());
@@ -289,12 +298,12 @@ impl<T: Precision> Bsdf<T> {
         LobeSet::wanted(self.lobes, call.lobes)
     }
 
-    /// The varying values of many elements: one column for each number, or no columns.
+    /// The varying values of many elements: one column per component, or no columns.
     pub(crate) fn varying_columns<'a>(&'a self, columns: &'a [&'a [T]]) -> VaryingValues<'a, T> {
         self.varying.of_many(columns)
     }
 
-    /// Flags of a sampled lobe; none without a sample.
+    /// The flags of a sampled lobe; none without a sample.
     #[inline(always)]
     pub(crate) fn sampled_flags(&self, lobe: usize, is_found: bool) -> Flags {
         if is_found {
@@ -304,7 +313,7 @@ impl<T: Precision> Bsdf<T> {
         }
     }
 
-    /// The direction, if it is unit to 1e-3 and on a side that exists.
+    /// The direction, if its length is 1 to within 1e-3 and it is on a side that light reaches.
     #[inline(always)]
     fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
         let w = Vec3::from_array(w.into());

@@ -1,15 +1,15 @@
-//! What a kernel does with a surface: for one element, and in jobs for many.
+//! Evaluation and sampling of a surface, for one element and in jobs for many.
 //!
-//! What is done with an element ([`eval_pdf`], [`sample`], [`vary`]) is written once, generic over the lane
-//! type: a single call does it at the width 1, and a job's loop at the processor's width.
+//! The functions [`eval_pdf`], [`sample`] and [`vary`] are generic over the lane type: single calls run
+//! them with one lane, jobs with the lanes of the processor.
 
 use super::call::Transport;
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe, mixture_density, normalized};
 use super::surface::Surface;
 use super::varying::{MAX_VARYING, VaryingValues};
-use crate::num::{Columns, ColumnsMut, Lane, Mask, Real, Rgb, Vec3, each};
+use crate::num::{ColumnMut, Columns, ColumnsMut, Lane, Mask, Real, Rgb, Vec3, each};
 
-/// Values, densities or both of many elements.
+/// A job that finds values, densities or both of many elements.
 pub struct EvalJob<'a, T> {
     /// Directions to the viewer; any numbers.
     pub wo: Columns<'a, T>,
@@ -19,13 +19,13 @@ pub struct EvalJob<'a, T> {
     pub varying: VaryingValues<'a, T>,
     /// The lobes that take part.
     pub lobes: LobeSet,
-    /// Receives f |wi.z|, if it is wanted; 0 for directions that are invalid or not above the surface.
+    /// Receives f |wi.z|, if it is wanted; 0 for invalid directions.
     pub value: Option<ColumnsMut<'a, T>>,
     /// Receives the density of wi, if it is wanted.
-    pub pdf: Option<&'a mut [T]>,
+    pub pdf: Option<ColumnMut<'a, T>>,
 }
 
-/// Sampled directions of many elements. Without a valid sample every output is 0.
+/// A job that samples directions of many elements. Without a valid sample every output is 0.
 pub struct SampleJob<'a, T> {
     /// Directions to the viewer; any numbers.
     pub wo: Columns<'a, T>,
@@ -35,28 +35,28 @@ pub struct SampleJob<'a, T> {
     pub varying: VaryingValues<'a, T>,
     /// The lobes that take part.
     pub lobes: LobeSet,
-    /// What travels along the path.
+    /// The quantity that is transported along the path.
     pub transport: Transport,
     /// Receives the directions to the light.
     pub wi: ColumnsMut<'a, T>,
     /// Receives value / pdf; for a Dirac lobe its throughput over the probability of choosing it.
     pub weight: ColumnsMut<'a, T>,
     /// Receives the density of wi over all lobes; 0 for a Dirac lobe.
-    pub pdf: &'a mut [T],
+    pub pdf: ColumnMut<'a, T>,
     /// Receives the index on wi's side over the index on wo's side.
-    pub eta: &'a mut [T],
+    pub eta: ColumnMut<'a, T>,
     /// Receives the number of the chosen lobe.
-    pub lobe: &'a mut [T],
+    pub lobe: ColumnMut<'a, T>,
     /// Receives the probability with which the lobe was chosen; 0 tells that there is no sample.
-    pub lobe_probability: &'a mut [T],
+    pub lobe_probability: ColumnMut<'a, T>,
 }
 
-/// A sampled direction, or one in each lane; all 0 where there is none.
+/// A sampled direction, or one in each lane. Without a valid sample every field is 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Direction<L> {
-    /// To the light.
+    /// The direction to the light.
     pub wi: Vec3<L>,
-    /// Density over all lobes; 0 for a Dirac lobe.
+    /// The density over all lobes, per solid angle; 0 for a Dirac lobe.
     pub pdf: L,
     /// value / pdf; for a Dirac lobe its throughput over the probability of choosing it.
     pub weight: Rgb<L>,
@@ -64,17 +64,18 @@ pub struct Direction<L> {
     pub eta: L,
     /// Number of the chosen lobe.
     pub lobe: L,
-    /// The probability of choosing it.
+    /// The probability with which it was chosen.
     pub lobe_probability: L,
 }
 
-/// Whether the direction is unit to 1e-3 and above the surface. NaN and infinity are not.
+/// Whether the direction has unit length to within 1e-3 and z > 0; false for NaN and infinity.
 #[inline(always)]
 pub fn is_above<T: Real>(w: Vec3<T>) -> T::Mask {
     is_unit(w) & w.z.gt(T::new(0.0))
 }
 
-/// Whether the direction is unit to 1e-3: twice that, since the length is squared.
+/// Whether the direction has unit length to within 1e-3. The bound is 2e-3, because it applies to the
+/// squared length.
 #[inline(always)]
 pub fn is_unit<T: Real>(w: Vec3<T>) -> T::Mask {
     (w.length_squared() - T::new(1.0)).abs().le(T::new(2e-3))
@@ -95,12 +96,13 @@ impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
             surface.retain(self.lobes);
         }
         surface.finish_vary();
-        // Copies: what lies behind `self` would be read again after each result is written.
+        // These are copied, because memory behind `self` would be read again after each result is written.
         let (wo, wi, varying, lobes) = (self.wo, self.wi, self.varying, self.lobes);
         let (mut values, mut pdf) = (self.value.take(), self.pdf.take());
-        // The most frequent case has a loop of its own, in which nothing depends on the element but the
-        // directions: the compiler moves out of it what follows from the parameters. These are plain loops,
-        // as closures given to the standard library are compiled without the level's instructions.
+        // The most frequent case, values alone without varying parameters, has its own loop: only the
+        // directions depend on the element, and the compiler moves the rest out of the loop. These are
+        // plain loops, because closures passed to the standard library are compiled without the level's
+        // instructions.
         if pdf.is_none() && varying.is_empty() {
             let Some(values) = &mut values else { return };
             for from in (0..wo.count()).step_by(L::COUNT) {
@@ -122,13 +124,12 @@ impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
             }
             if let Some(pdf) = &mut pdf {
                 let density = mixture_density(&choices(&surface, wo, lobes), &densities);
-                let density = L::select(is_seen, density, L::new(0.0));
-                density.store(&mut pdf[from..from + L::COUNT]);
+                pdf.store(from, L::select(is_seen, density, L::new(0.0)));
             }
         }
     }
 
-    /// Does the job element by element. `eval_pdf` returns value and density for directions above the surface.
+    /// Does the job element by element. `eval_pdf` returns the value and the density of an element.
     pub fn run_each(&mut self, mut eval_pdf: impl FnMut(usize, Vec3<T>, Vec3<T>) -> (Rgb<T>, T)) {
         for element in 0..self.wo.count() {
             let (wo, wi, is_seen) = directions::<T>(&self.wo, &self.wi, element);
@@ -137,18 +138,18 @@ impl<T: Lane<Scalar = T>> EvalJob<'_, T> {
                 store_value(values, element, is_seen, value);
             }
             if let Some(pdf) = &mut self.pdf {
-                pdf[element] = T::select(is_seen, density, T::new(0.0));
+                pdf.set(element, T::select(is_seen, density, T::new(0.0)));
             }
         }
     }
 
-    /// Writes zeros: no lobe has a density.
+    /// Writes zeros.
     pub fn clear(&mut self) {
         self.run_each(|_, _, _| ([T::new(0.0); 3], T::new(0.0)));
     }
 }
 
-/// wo, wi, and whether both are above the surface.
+/// wo, wi, and a mask of the lanes in which both are valid.
 #[inline(always)]
 fn directions<L: Lane>(
     wo: &Columns<L::Scalar>,
@@ -182,7 +183,7 @@ impl<T: Lane<Scalar = T>> SampleJob<'_, T> {
             surface.retain(self.lobes);
         }
         surface.finish_vary();
-        // Copies, as in `EvalJob::run`.
+        // These are copied, as in `EvalJob::run`.
         let (wo, u, varying, lobes) = (self.wo, self.u, self.varying, self.lobes);
         let mut is_usable = L::new(0.0).equals(L::new(0.0));
         for from in (0..wo.count()).step_by(L::COUNT) {
@@ -207,14 +208,13 @@ impl<T: Lane<Scalar = T>> SampleJob<'_, T> {
 
     #[inline(always)]
     fn store<L: Lane<Scalar = T>>(&mut self, from: usize, direction: Direction<L>) {
-        let to = from + L::COUNT;
         self.wi.store(from, direction.wi.to_array());
         self.weight.store(from, direction.weight);
-        direction.pdf.store(&mut self.pdf[from..to]);
-        direction.eta.store(&mut self.eta[from..to]);
-        direction.lobe.store(&mut self.lobe[from..to]);
-        let probability = direction.lobe_probability;
-        probability.store(&mut self.lobe_probability[from..to]);
+        self.pdf.store(from, direction.pdf);
+        self.eta.store(from, direction.eta);
+        self.lobe.store(from, direction.lobe);
+        self.lobe_probability
+            .store(from, direction.lobe_probability);
     }
 }
 
@@ -234,8 +234,8 @@ impl<L: Lane> Direction<L> {
     }
 }
 
-/// Calls `f` with the varying values of a single call as pairs of parameter index and value; `None` if one
-/// is unusable.
+/// Calls `f` with the varying values of a single call, as pairs of parameter index and value; `None` if a
+/// value is unusable.
 #[inline(always)]
 pub fn with_overrides<T: Lane<Scalar = T, Mask = bool>, R>(
     varying: &VaryingValues<T>,
@@ -250,7 +250,8 @@ pub fn with_overrides<T: Lane<Scalar = T, Mask = bool>, R>(
     is_usable.then(|| f(&overrides[..count]))
 }
 
-/// Gives the surface the values of the elements from one on. Returns which are usable.
+/// Sets the varying values of the elements from `from` on. Returns a mask of the elements whose values are
+/// usable.
 #[inline(always)]
 pub fn vary<L: Lane, S: Surface<L>>(
     surface: &mut S,
@@ -266,7 +267,7 @@ pub fn vary<L: Lane, S: Surface<L>>(
     is_usable
 }
 
-/// The probability of each lobe among those that take part.
+/// The probability of choosing each lobe; 0 for lobes that do not take part.
 #[inline(always)]
 pub fn choices<L: Lane, S: Surface<L>>(surface: &S, wo: Vec3<L>, lobes: LobeSet) -> PerLobe<L> {
     let mut shares = surface.choose(wo);
@@ -281,7 +282,7 @@ pub fn choices<L: Lane, S: Surface<L>>(surface: &S, wo: Vec3<L>, lobes: LobeSet)
     normalized(shares)
 }
 
-/// Value, and the density of all lobes together.
+/// The value, and the density over all lobes.
 #[inline(always)]
 pub fn eval_pdf<L: Lane, S: Surface<L>>(
     surface: &S,
@@ -296,7 +297,7 @@ pub fn eval_pdf<L: Lane, S: Surface<L>>(
     )
 }
 
-/// A direction of a lobe chosen by the first number, where the inputs are usable.
+/// Samples a direction where the inputs are usable. The first number chooses the lobe.
 #[inline(always)]
 pub fn sample<L: Lane, S: Surface<L>>(
     surface: &S,
@@ -325,7 +326,7 @@ pub fn sample<L: Lane, S: Surface<L>>(
         }
     }
     let is_above = wi.z.gt(zero);
-    // Lanes without a direction evaluate wo itself, which is valid, and are cleared below.
+    // Lanes without a direction evaluate wo itself, which is valid, and are set to 0 below.
     wi = Vec3::select(is_above, wi, wo);
     let (value, densities) = surface.eval_with_densities(wo, wi);
     let pdf = mixture_density(&shares, &densities);
@@ -341,13 +342,13 @@ pub fn sample<L: Lane, S: Surface<L>>(
     }
 }
 
-/// The chosen lobe, for a single number.
+/// The chosen lobe, for one lane.
 #[inline(always)]
 pub fn only<M: Mask>(chosen: &[M; MAX_LOBES]) -> Option<usize> {
     chosen.iter().position(|is_chosen| is_chosen.any())
 }
 
-/// Which lobe's share of [0, 1) the number lies in; none if all shares are 0.
+/// The lobe in whose share of [0, 1) the number is, as one mask per lobe; no lobe if all shares are 0.
 #[inline(always)]
 pub fn chosen_lobe<T: Lane>(shares: &PerLobe<T>, u: T) -> [T::Mask; MAX_LOBES] {
     let zero = T::new(0.0);
@@ -358,7 +359,7 @@ pub fn chosen_lobe<T: Lane>(shares: &PerLobe<T>, u: T) -> [T::Mask; MAX_LOBES] {
         *chosen = is_open & share.gt(zero) & u.lt(below);
         is_open = is_open & !*chosen;
     }
-    // Rounding may leave the sum of all shares below u: then the last lobe is meant.
+    // Rounding may leave the sum of all shares below u. Then the last lobe with a share is chosen.
     for (chosen, share) in chosen.iter_mut().zip(shares).rev() {
         let is_last = is_open & share.gt(zero);
         *chosen = *chosen | is_last;

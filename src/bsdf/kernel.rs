@@ -1,4 +1,4 @@
-//! A compiled model behind a pointer: the one virtual call.
+//! A compiled model behind a pointer. Every call of a BSDF makes one virtual call, of this trait.
 
 use super::call::Transport;
 use super::job::{Direction, EvalJob, SampleJob, are_uniform, is_above, is_unit};
@@ -6,13 +6,13 @@ use super::lobes::{LobeSet, PerLobe};
 use super::varying::VaryingValues;
 use crate::num::{Lane, Level, Rgb, Vec3};
 
-/// A compiled model, callable without knowing which.
+/// A compiled model of any kind.
 ///
-/// Single calls have entries of their own, which pass their arguments in registers: as jobs of one element
-/// they took 1.4 to 1.9 times as long (lambert 16 instead of 11 ns, phong 25 instead of 16). In these calls
-/// `wo` and `wi` are valid: unit, with z > 0 or, for a BSDF with TRANSMISSION, z != 0.
+/// Single calls have their own methods, which take their arguments in registers. As jobs of one element
+/// they took 1.4 to 1.9 times as long (lambert 16 instead of 11 ns, phong 25 instead of 16). In these
+/// methods `wo` and `wi` are valid: of unit length, with z > 0 or, for a BSDF with TRANSMISSION, z != 0.
 pub trait Kernel<T: Lane<Scalar = T, Mask = bool>>: Send + Sync {
-    /// f(wo, wi) |wi.z|; 0 unless a lobe has a density.
+    /// f(wo, wi) |wi.z|. The default, 0, is for models whose lobes are all Dirac.
     fn eval(
         &self,
         _wo: Vec3<T>,
@@ -23,7 +23,7 @@ pub trait Kernel<T: Lane<Scalar = T, Mask = bool>>: Send + Sync {
         [T::new(0.0); 3]
     }
 
-    /// The value and the density of wi.
+    /// The value, and the density of wi per solid angle.
     fn eval_pdf(
         &self,
         _wo: Vec3<T>,
@@ -34,7 +34,7 @@ pub trait Kernel<T: Lane<Scalar = T, Mask = bool>>: Send + Sync {
         ([T::new(0.0); 3], T::new(0.0))
     }
 
-    /// A direction, from three uniform numbers in [0, 1).
+    /// Samples a direction from three uniform numbers in [0, 1).
     fn sample(
         &self,
         wo: Vec3<T>,
@@ -44,22 +44,22 @@ pub trait Kernel<T: Lane<Scalar = T, Mask = bool>>: Send + Sync {
         transport: Transport,
     ) -> Direction<T>;
 
-    /// Values and densities of many elements, with the bits of [`Kernel::eval_pdf`] at every level.
+    /// Values and densities of many elements. They are the bits of [`Kernel::eval_pdf`] at every level.
     fn eval_job(&self, _level: Level, job: &mut EvalJob<T>) {
         let (varying, lobes) = (job.varying, job.lobes);
         job.run_each(|element, wo, wi| self.eval_pdf(wo, wi, &varying.element(element), lobes));
     }
 
-    /// Directions for many elements, with the bits of [`Kernel::sample`] at every level.
+    /// Samples of many elements. They are the bits of [`Kernel::sample`] at every level.
     fn sample_job(&self, _level: Level, job: &mut SampleJob<T>) {
         sample_each(self, job);
     }
 
-    /// Directional albedo of the lobes in the set: the integral of the value over wi, including what Dirac
-    /// lobes reflect and transmit.
+    /// The directional albedo of the lobes in the set: the integral of the value over wi, Dirac lobes
+    /// included.
     fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T>;
 
-    /// The probability of each lobe, and each lobe's own density at wi.
+    /// The probability of choosing each lobe, and the density of each lobe at wi.
     fn lobes(
         &self,
         wo: Vec3<T>,
@@ -72,7 +72,7 @@ pub trait Kernel<T: Lane<Scalar = T, Mask = bool>>: Send + Sync {
         false
     }
 
-    /// The terms that are left out and the formulas that are shorter for these parameters, in words.
+    /// The terms that are left out and the formulas that are shorter for these values, in words.
     fn plan(&self) -> Vec<&'static str>;
 }
 

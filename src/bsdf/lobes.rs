@@ -3,10 +3,10 @@
 use super::info::{Flags, LobeInfo};
 use crate::num::Real;
 
-/// The most lobes that a model may have.
+/// The greatest number of lobes of a model.
 pub const MAX_LOBES: usize = 5;
 
-/// One number per lobe; those beyond the model's own lobes are 0.
+/// One number per lobe. Numbers beyond the lobes of the model are 0.
 pub type PerLobe<T> = [T; MAX_LOBES];
 
 /// A set of lobes of one BSDF, by their numbers.
@@ -17,7 +17,7 @@ impl LobeSet {
     /// Every lobe.
     pub const ALL: Self = Self(u8::MAX);
 
-    /// Those of `lobes` all of whose flags are wanted.
+    /// The lobes whose flags are all in `flags`.
     #[inline(always)]
     pub fn wanted(lobes: &[LobeInfo], flags: Flags) -> Self {
         if flags == Flags::ALL {
@@ -33,19 +33,19 @@ impl LobeSet {
         if set == all { Self::ALL } else { Self(set) }
     }
 
-    /// Whether every lobe is in it.
+    /// Whether every lobe is in the set.
     #[inline(always)]
     pub fn is_all(self) -> bool {
         self == Self::ALL
     }
 
-    /// Whether no lobe is in it.
+    /// Whether no lobe is in the set.
     #[inline(always)]
     pub fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// Whether a lobe is in it.
+    /// Whether a lobe is in the set.
     #[inline(always)]
     pub fn contains(self, lobe: usize) -> bool {
         self.0 & (1 << lobe) != 0
@@ -62,8 +62,8 @@ pub fn first_lobe<T: Real>(number: T) -> PerLobe<T> {
     numbers
 }
 
-/// Shares of the reflected light as probabilities: divided by their sum, or all 0 with it. Each is
-/// divided, as the sum may be so small that its inverse is infinite.
+/// Probabilities in proportion to shares of the reflected light; all 0 if the shares are. Each share is
+/// divided by the sum, because the inverse of a very small sum would be infinite.
 #[inline(always)]
 pub fn normalized<T: Real>(shares: PerLobe<T>) -> PerLobe<T> {
     let zero = T::new(0.0);
@@ -80,7 +80,7 @@ pub fn normalized<T: Real>(shares: PerLobe<T>) -> PerLobe<T> {
     probabilities
 }
 
-/// The density of all lobes together.
+/// The density over all lobes: the sum of the probabilities times the densities.
 #[inline(always)]
 pub fn mixture_density<T: Real>(shares: &PerLobe<T>, densities: &PerLobe<T>) -> T {
     let mut sum = T::new(0.0);

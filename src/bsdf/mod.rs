@@ -1,4 +1,4 @@
-//! BSDFs: what a model is, what exists, and a model with its parameters set, ready to be called.
+//! BSDFs: the models, their registry, descriptions with their checks, and compiled BSDFs with their calls.
 //!
 //! A model is one file in `models/` and one line in `registry.rs`.
 
@@ -16,6 +16,7 @@ mod models;
 mod precision;
 mod quadrature;
 mod registry;
+mod resolve;
 mod surface;
 mod values;
 mod varying;
@@ -27,6 +28,6 @@ pub use instance::{Bsdf, Evaluation, Sample, Varying};
 pub(crate) use job::{EvalJob, SampleJob};
 pub use lobes::{MAX_LOBES, PerLobe};
 pub use precision::Precision;
-pub use registry::{RegisteredModel, find, models};
+pub use registry::{RegisteredModel, find, model_infos, models};
 pub use values::{Bounds, Values};
 pub(crate) use varying::MAX_VARYING;

@@ -1,4 +1,4 @@
-//! The precisions that BSDFs exist in.
+//! The two precisions of a BSDF.
 
 use super::kernel::Kernel;
 use super::values::Values;
@@ -6,21 +6,24 @@ use crate::error::Error;
 use crate::film::Film;
 use crate::num::{Lane, Level, Rgb, Work};
 
-/// A model's compiler in one precision.
+/// The compiler of a model in one precision.
 pub type Prepare<T> = fn(&Values<T>) -> Result<Box<dyn Kernel<T>>, Error>;
 
-/// `f32` with `glam::Vec3` for renderers, `f64` with `glam::DVec3` as the oracle.
+/// The precision of a BSDF: `f32` with `glam::Vec3` for renderers, or `f64` with `glam::DVec3`, which tests
+/// compare it with.
 pub trait Precision: Lane<Mask = bool, Scalar = Self> + PartialOrd + Default + Into<f64> {
-    /// The public vector type.
+    /// The vector type of calls.
     type Vector: Into<[Self; 3]> + From<[Self; 3]> + Copy;
 
-    /// Rounded to single precision, in which films are evaluated.
+    /// The number rounded to single precision, in which films are evaluated.
     fn to_f32(self) -> f32;
 
-    /// Does the work of a batch at a level. Double precision has no batches: it does nothing.
+    /// Does the work of a batch at a level. Double precision has no batches and does nothing.
+    #[doc(hidden)]
     fn dispatch<W: Work<Self, Output = ()>>(level: Level, work: W);
 
-    /// [`Film::reflectance`] in lanes.
+    /// [`Film::reflectance`] in each lane.
+    #[doc(hidden)]
     fn reflectance<L: Lane<Scalar = Self>>(film: &Film, cos_theta: L, thickness_nm: L) -> Rgb<L>;
 
     /// Calls the compiler of this precision.

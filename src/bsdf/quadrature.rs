@@ -1,24 +1,24 @@
-//! Directional albedo by deterministic quadrature over the lobes' own parametrisations.
+//! Directional albedo by deterministic quadrature over the random numbers of each lobe.
 
 use super::job::choices;
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe, mixture_density};
 use super::surface::Surface;
 use crate::num::{Lane, Mask, Rgb, Vec3};
 
-/// Two successive Fibonacci numbers: the nodes of a lobe are (i + 1/2) / NODES and
-/// i * GENERATOR / NODES mod 1, the Fibonacci lattice, which is the most evenly spread lattice of two
-/// dimensions (Niederreiter 1992, section 5). A product grid is worse where a lobe is cut by the critical
-/// cone, since whole rows cross the edge at once.
+/// Two successive Fibonacci numbers. The nodes are ((i + 1/2) / NODES, i * GENERATOR / NODES mod 1): the
+/// Fibonacci lattice, which is the most evenly spread lattice in two dimensions (Niederreiter 1992, section
+/// 5). A product grid is worse where the critical cone cuts a lobe, because whole rows cross its edge at
+/// once.
 const NODES: u32 = 4181;
 const GENERATOR: u32 = 2584;
 
-/// The integral of the value over wi: the sum over lobes of the probability times the mean of
-/// value / pdf over the lattice in the lobe's two uniform numbers. This is the balance heuristic with fixed
-/// instead of random numbers, so every integrand is bounded.
+/// The integral of the value over wi. It is the sum over the lobes of the lobe's probability times the mean
+/// of value / pdf over the lattice in its two uniform numbers: the balance heuristic with fixed instead of
+/// random numbers, so that every integrand is bounded.
 ///
-/// A test measures the error against adaptive integration: below 2e-3 of the albedo's greatest channel for
-/// all models, for layers to 3 um and microfacets to 80 degrees; at 89 degrees up to 1.5e-2 for microfacets
-/// whose samples are not those of visible normals.
+/// A test measures the error against adaptive integration. It is below 2e-3 of the greatest channel of the
+/// albedo for all models, for layers up to 3 um and microfacets up to 80 degrees; at 89 degrees it is up to
+/// 1.5e-2 for microfacets that do not sample visible normals.
 pub fn albedo<L: Lane, S: Surface<L>>(surface: &S, lobes: LobeSet, wo: Vec3<L>) -> Rgb<L> {
     let shares = choices(surface, wo, lobes);
     let zero = L::new(0.0);
@@ -41,8 +41,8 @@ pub fn albedo<L: Lane, S: Surface<L>>(surface: &S, lobes: LobeSet, wo: Vec3<L>) 
     sum.map(|channel| channel * L::new(1.0 / f64::from(NODES)))
 }
 
-/// [`Surface::eval_with_densities`] as a call: code that is not hot needs no inlined copy, which takes long
-/// to compile.
+/// [`Surface::eval_with_densities`] without inlining: code that is not hot needs no copy of its own, which
+/// would lengthen the build.
 #[inline(never)]
 pub fn eval_outlined<L: Lane, S: Surface<L>>(
     surface: &S,

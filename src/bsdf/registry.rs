@@ -1,4 +1,4 @@
-//! The list of models. A new model adds its line here and nothing anywhere else.
+//! The list of models. A new model adds one line here.
 
 use super::info::{LobeInfo, ModelInfo};
 use super::model::Model;
@@ -14,8 +14,8 @@ use super::precision::Prepare;
 use super::values::{Bounds, Values};
 use crate::error::Error;
 
-/// Lists the models. The compilers in double precision stand apart, so that a library that never uses them
-/// does not contain them.
+/// Lists the models. The compilers in double precision are in a list of their own, so that the linker
+/// leaves them out of programs that never use them.
 macro_rules! registry {
     ($($model:ty),* $(,)?) => {
         static MODELS: [RegisteredModel; [$(stringify!($model)),*].len()] =
@@ -40,23 +40,28 @@ pub const fn models() -> &'static [RegisteredModel] {
     &MODELS
 }
 
-/// The model of that name.
+/// The descriptions of all models: parameters with ranges and defaults, lobes, sources.
+pub fn model_infos() -> impl ExactSizeIterator<Item = &'static ModelInfo> {
+    MODELS.iter().map(|entry| entry.info)
+}
+
+/// The model with that name.
 pub fn find(name: &str) -> Result<&'static RegisteredModel, Error> {
     let found = MODELS.iter().find(|entry| entry.name() == name);
     found.ok_or_else(|| Error::unknown("model", name, MODELS.iter().map(RegisteredModel::name)))
 }
 
-/// A registered model: its description and its compiler in either precision.
+/// A registered model: its description and its compilers.
 pub struct RegisteredModel {
-    /// What the model says about itself.
+    /// `Model::INFO`.
     pub info: &'static ModelInfo,
-    /// [`Model::needs_film`].
+    /// `Model::needs_film`.
     pub needs_film: fn(&Values<f32>) -> bool,
-    /// [`Model::lobes`].
+    /// `Model::lobes`.
     pub lobes: fn(&Values<f32>) -> &'static [LobeInfo],
-    /// [`Model::check`].
+    /// `Model::check`.
     pub check: fn(&Bounds) -> Result<(), Error>,
-    /// [`Model::prepare`] in single precision.
+    /// `Model::prepare` in single precision.
     pub prepare: Prepare<f32>,
 }
 
@@ -71,14 +76,14 @@ impl RegisteredModel {
         }
     }
 
-    /// [`Model::prepare`] in double precision: the oracle.
+    /// `Model::prepare` in double precision.
     pub fn oracle(&self) -> Prepare<f64> {
         let is_self = |model: &RegisteredModel| std::ptr::eq(model, self);
         let index = MODELS.iter().position(is_self);
         ORACLES[index.expect("all models are in the list")]
     }
 
-    /// The model's name.
+    /// The name of the model.
     pub fn name(&self) -> &'static str {
         self.info.name
     }

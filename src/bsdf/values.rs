@@ -5,15 +5,15 @@ use crate::film::Film;
 use crate::num::{Real, Rgb, Vec3};
 use std::sync::Arc;
 
-/// What each parameter can be: its own value and its varying range together.
+/// The least and the greatest value of each parameter, over its own value and its varying range.
 pub struct Bounds {
-    /// The least value of every component; choices and film as they are.
+    /// The least value of every component. Choices and film are those of the description.
     pub least: Values<f32>,
-    /// The greatest value of every component.
+    /// The greatest value of every component. Choices and film are those of the description.
     pub greatest: Values<f32>,
 }
 
-/// One entry per parameter of a model, in the order of [`ModelInfo::params`], and the film.
+/// The validated values of a model's parameters, indexed as [`ModelInfo::params`], and the film.
 #[derive(Clone)]
 pub struct Values<T> {
     numbers: Vec<[T; 3]>,
@@ -40,7 +40,7 @@ impl<T: Real> Values<T> {
         }
     }
 
-    /// Sets the numbers of a parameter; a scalar is in all three places.
+    /// Sets the numbers of a parameter. All three components of a scalar are equal.
     pub fn set_numbers(&mut self, param: usize, numbers: [T; 3]) {
         self.numbers[param] = numbers;
     }
@@ -50,7 +50,7 @@ impl<T: Real> Values<T> {
         self.choices[param] = choice;
     }
 
-    /// Declares that a parameter is given per call; its value here is what it is otherwise.
+    /// Declares that calls may give a parameter; its value here is the default.
     pub fn set_varying(&mut self, param: usize) {
         self.varies[param] = true;
     }
@@ -60,12 +60,12 @@ impl<T: Real> Values<T> {
         self.film = film;
     }
 
-    /// A parameter with one component.
+    /// The value of a parameter with one component.
     pub fn number(&self, param: usize) -> T {
         self.numbers[param][0]
     }
 
-    /// A parameter with one component per colour channel.
+    /// The value of a parameter with three components.
     pub fn rgb(&self, param: usize) -> Rgb<T> {
         self.numbers[param]
     }
@@ -75,12 +75,12 @@ impl<T: Real> Values<T> {
         self.choices[param]
     }
 
-    /// Whether a parameter is given per call: what depends on it cannot be compiled in.
+    /// Whether calls may give a parameter, so that code cannot be specialised for its value.
     pub fn varies(&self, param: usize) -> bool {
         self.varies[param]
     }
 
-    /// The film, which a model that needs one has.
+    /// The film. After validation it is there for every model that needs one.
     pub fn film(&self) -> Option<&Arc<Film>> {
         self.film.as_ref()
     }

@@ -1,13 +1,13 @@
-//! Parameters given per call: reading them, and keeping them in their ranges.
+//! Parameters that vary per call: reading their values and clamping them to their ranges.
 
 use super::info::{ModelInfo, ParamKind};
 use super::values::Values;
 use crate::num::{Lane, Real, Vec3, each};
 
-/// The most parameters of a BSDF that may vary, so that their values fit on the stack.
+/// The greatest number of varying parameters of a BSDF. Their values fit on the stack.
 pub(crate) const MAX_VARYING: usize = 16;
 
-/// A declared range: index of the parameter, least and greatest value of each component.
+/// A varying parameter and its declared range.
 #[derive(Clone, Copy, Debug)]
 pub struct VaryingRange {
     /// Index of the parameter.
@@ -18,42 +18,42 @@ pub struct VaryingRange {
     pub max: f32,
 }
 
-/// How one varying parameter is read.
+/// The place and the range of one varying parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct VaryingSlot<T> {
     /// Index of the parameter.
     pub param: usize,
-    /// 1 or 3 numbers.
+    /// The number of components: 1 or 3.
     pub components: usize,
-    /// The number of its first component among all.
+    /// The number of its first component among the components of all varying parameters.
     first: usize,
     is_direction: bool,
     min: T,
     max: T,
 }
 
-/// The varying parameters of a BSDF, in declared order.
+/// The varying parameters of a BSDF, in the order of their declaration.
 pub(super) struct VaryingParams<T> {
     slots: Box<[VaryingSlot<T>]>,
     defaults: Box<[T]>,
 }
 
-/// The values of the varying parameters, for one element or many; without slots, no value is given and
-/// every parameter keeps the description's.
+/// The values of the varying parameters, for one element or many. Without slots no value is given, and
+/// every parameter has its default.
 #[derive(Clone, Copy, Debug)]
 pub struct VaryingValues<'a, T> {
     slots: &'a [VaryingSlot<T>],
     numbers: VaryingNumbers<'a, T>,
-    /// The element that counts as the first.
+    /// The number of the element that loads count from.
     first: usize,
 }
 
-/// The numbers of all parameters, one parameter after another.
+/// The components of all varying parameters, one parameter after another.
 #[derive(Clone, Copy, Debug)]
 pub enum VaryingNumbers<'a, T> {
-    /// Of one element.
+    /// The components of one element.
     One(&'a [T]),
-    /// Of many elements: one column for each number.
+    /// The components of many elements, one column per component.
     Many(&'a [&'a [T]]),
 }
 
@@ -85,12 +85,12 @@ impl<T: Lane<Scalar = T>> VaryingParams<T> {
         Self { slots, defaults }
     }
 
-    /// The description's values, one parameter after another.
+    /// The defaults of all components.
     pub fn defaults(&self) -> &[T] {
         &self.defaults
     }
 
-    /// The values of a single call; `None` if there are too many numbers or too few.
+    /// The values of a single call; `None` if their number is wrong.
     #[inline(always)]
     pub fn of_one<'a>(&'a self, numbers: Option<&'a [T]>) -> Option<VaryingValues<'a, T>> {
         let Some(numbers) = numbers else {
@@ -103,7 +103,7 @@ impl<T: Lane<Scalar = T>> VaryingParams<T> {
         })
     }
 
-    /// The values of many elements: one column for each number, or no columns.
+    /// The values of many elements: one column per component, or no columns.
     pub fn of_many<'a>(&'a self, columns: &'a [&'a [T]]) -> VaryingValues<'a, T> {
         if columns.is_empty() {
             return VaryingValues::none();
@@ -118,7 +118,7 @@ impl<T: Lane<Scalar = T>> VaryingParams<T> {
 }
 
 impl<T: Lane<Scalar = T>> VaryingValues<'_, T> {
-    /// No values are given.
+    /// No values, so that every parameter has its default.
     #[inline(always)]
     pub fn none() -> Self {
         Self {
@@ -142,9 +142,10 @@ impl<T: Lane<Scalar = T>> VaryingValues<'_, T> {
         self.slots.is_empty()
     }
 
-    /// Passes the values of `L::COUNT` elements from one on to `vary`, with the index of each parameter:
-    /// numbers clamped to the declared range, directions normalised, scalars in all three places. Returns
-    /// which elements are usable: those whose numbers are finite and whose directions have z > 0.
+    /// Calls `vary` with the index and the value of each varying parameter, for the `L::COUNT` elements
+    /// that begin at `from`. Numbers are clamped to the declared range, directions are normalised, and
+    /// scalars are repeated in all three components. Returns a mask of the usable elements: those whose
+    /// numbers are finite and whose directions have z > 0.
     #[inline(always)]
     pub fn clamp_inputs<L: Lane<Scalar = T>>(
         &self,
@@ -184,7 +185,7 @@ impl<T: Lane<Scalar = T>> VaryingNumbers<'_, T> {
     }
 }
 
-/// A vector of any length with z > 0, normalised.
+/// The unit vector along a vector with z > 0.
 pub(super) fn upward<T: Real<Mask = bool>>(value: [T; 3]) -> Option<[T; 3]> {
     let (unit, is_upward) = Vec3::from_array(value).upward();
     is_upward.then(|| unit.to_array())

@@ -1,4 +1,4 @@
-//! BSDF handles: making, sharing and asking.
+//! BSDF handles: creation, reference counts and queries.
 
 use super::boundary::{
     check_output, elements, guard, optional_string, read_growing, reference, require, string,
@@ -16,7 +16,7 @@ use libc::size_t;
 use std::ffi::CString;
 use std::sync::Arc;
 
-/// What a handle points to: the BSDF, and its text for C callers.
+/// The object behind a handle: the BSDF, and its texts for C callers.
 pub(super) struct BsdfHandle {
     pub bsdf: Bsdf,
     plan: CString,
@@ -31,7 +31,8 @@ pub fn bsdf_handle(bsdf: Bsdf) -> *mut PellicleBsdf {
 }
 
 /// Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
-/// `*bsdf`. Call it when loading, not when shading: @BSDF_TIME@.
+/// `*bsdf`. Call it when loading, not when shading: it takes milliseconds, at
+/// most a tenth of a second.
 ///
 /// Fails with UNKNOWN_NAME (model, parameter, choice, level), OUT_OF_RANGE (numbers, ranges, sums),
 /// INVALID_ARGUMENT (NULL, a wrong count or size, something given twice, a film that is missing or not used)
@@ -180,14 +181,14 @@ pub unsafe extern "C" fn pellicle_bsdf_lobe(
     })
 }
 
-/// What a handle points to.
+/// The object behind a handle.
 #[inline(always)]
 pub(super) unsafe fn handle<'a>(bsdf: *const PellicleBsdf) -> Result<&'a BsdfHandle, Error> {
     // SAFETY: NULL is refused; a live handle came from Arc::into_raw of an Arc<BsdfHandle>.
     unsafe { reference(bsdf.cast::<BsdfHandle>(), "bsdf") }
 }
 
-/// What varies at that place, which must exist.
+/// The varying parameter with that number, which must exist.
 fn varying_info(bsdf: &Bsdf, place: usize) -> PellicleVaryingInfo {
     let mut offset = 0;
     for before in bsdf.varying().take(place) {

@@ -5,7 +5,7 @@ use super::bsdf::handle;
 use super::bsdf_types::PellicleSample;
 use super::call::call_options;
 use super::types::{PellicleBsdf, PellicleCall, PellicleStatus};
-use crate::bsdf::{Bsdf, Evaluation, MAX_VARYING};
+use crate::bsdf::{Bsdf, MAX_VARYING};
 use libc::size_t;
 use std::mem::MaybeUninit;
 
@@ -43,30 +43,28 @@ pub unsafe extern "C" fn pellicle_bsdf_eval(
             let mut room = MaybeUninit::uninit();
             let varying = varying_numbers(bsdf, varying, &mut room);
             let call = call_options(call)?;
+            // Each set of outputs has a path of its own, on which results stay in registers.
             if pdf_reverse.is_null() && pdf.is_null() {
                 require(value, "value (and pdf and pdf_reverse)")?;
                 write_rgb(value, bsdf.eval(wo, wi, varying, &call));
                 return Ok(());
             }
-            let found = if pdf_reverse.is_null() {
-                let (value, pdf) = bsdf.eval_pdf(wo, wi, varying, &call);
-                Evaluation {
-                    value,
-                    pdf,
-                    pdf_reverse: 0.0,
+            if pdf_reverse.is_null() {
+                let (rgb, density) = bsdf.eval_pdf(wo, wi, varying, &call);
+                if !value.is_null() {
+                    write_rgb(value, rgb);
                 }
-            } else {
-                bsdf.evaluate(wo, wi, varying, &call)
-            };
+                pdf.write_unaligned(density);
+                return Ok(());
+            }
+            let found = bsdf.evaluate(wo, wi, varying, &call);
             if !value.is_null() {
                 write_rgb(value, found.value);
             }
             if !pdf.is_null() {
                 pdf.write_unaligned(found.pdf);
             }
-            if !pdf_reverse.is_null() {
-                pdf_reverse.write_unaligned(found.pdf_reverse);
-            }
+            pdf_reverse.write_unaligned(found.pdf_reverse);
         }
         Ok(())
     })

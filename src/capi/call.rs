@@ -1,4 +1,4 @@
-//! From a call's options in the caller's memory to our own.
+//! Conversion of a call's options.
 
 use super::boundary::read_growing;
 use super::types::{PELLICLE_TRANSPORT_IMPORTANCE, PELLICLE_TRANSPORT_RADIANCE, PellicleCall};
@@ -20,7 +20,7 @@ pub(super) unsafe fn call_options(call: *const PellicleCall) -> Result<Call, Err
 
 #[inline(never)] // most calls give none
 unsafe fn given_options(call: *const PellicleCall) -> Result<Call, Error> {
-    // SAFETY: the caller vouches for as many bytes as the size says, the size itself included.
+    // SAFETY: the caller vouches for `size` bytes, the field `size` included.
     let given = unsafe {
         let size = (&raw const (*call).size).read_unaligned();
         read_growing(call, size, "call")?

@@ -1,4 +1,4 @@
-//! What exists: models and their parameters, media, and the names of methods, spaces, whites and levels.
+//! Lists of models with their parameters, of media, and of the names of methods, spaces, whites and levels.
 
 use super::boundary::{check_output, guard, write_growing};
 use super::text::{list, text};
@@ -11,7 +11,7 @@ use crate::bsdf::{Exception, ParamInfo, ParamKind, RegisteredModel, Values, mode
 use crate::error::Error;
 use crate::film::METHODS;
 use crate::num::Level;
-use crate::optics::{ColorSpace, Named, White};
+use crate::optics::{ColorSpace, NamedMedium, White};
 use libc::{c_char, size_t};
 use std::ptr::null;
 
@@ -138,7 +138,7 @@ pub unsafe extern "C" fn pellicle_model_param(
 /// Tells how many media are known by name.
 #[unsafe(no_mangle)]
 pub extern "C" fn pellicle_medium_count() -> size_t {
-    Named::all().len()
+    NamedMedium::all().len()
 }
 
 /// Describes the medium with number `medium`, below pellicle_medium_count(); else OUT_OF_RANGE.
@@ -153,7 +153,7 @@ pub unsafe extern "C" fn pellicle_medium_info(
 ) -> PellicleStatus {
     guard(|| {
         check_output(info, info_size, "info")?;
-        let described = numbered(Named::all(), medium, "medium")?;
+        let described = numbered(NamedMedium::all(), medium, "medium")?;
         let [min, max] = described.range_nm();
         let filled = PellicleMediumInfo {
             name: text(described.name),

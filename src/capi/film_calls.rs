@@ -1,8 +1,10 @@
 //! Single calls of a film.
 
-use super::boundary::{elements, guard, require};
-use super::film::handle;
-use super::types::{PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE, PellicleFilm, PellicleStatus};
+use super::boundary::{elements, guard, guard_status, refuse_null, require};
+use super::film::{FilmHandle, handle};
+use super::types::{
+    PELLICLE_OK, PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE, PellicleFilm, PellicleStatus,
+};
 use crate::error::Error;
 use crate::optics::stack::Side;
 use libc::size_t;
@@ -22,11 +24,18 @@ pub unsafe extern "C" fn pellicle_film_reflectance(
     thickness_nm: f32,
     rgb: *mut f32,
 ) -> PellicleStatus {
-    guard(|| {
-        require(rgb, "rgb")?;
-        // SAFETY: the caller vouches for the handle and for 3 numbers.
-        unsafe { write(rgb, handle(film)?.film.reflectance(cos_theta, thickness_nm)) };
-        Ok(())
+    // Tested before the guard, in which the two numbers would move from their registers to memory: a tenth of
+    // the call's time.
+    if film.is_null() || rgb.is_null() {
+        return guard_status(|| refuse_null(if film.is_null() { "film" } else { "rgb" }));
+    }
+    guard_status(|| {
+        // SAFETY: not NULL; the caller vouches for the handle and for 3 numbers.
+        unsafe {
+            let film = &(*film.cast::<FilmHandle>()).film;
+            write(rgb, film.reflectance(cos_theta, thickness_nm));
+        }
+        PELLICLE_OK
     })
 }
 

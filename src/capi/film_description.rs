@@ -1,4 +1,4 @@
-//! From a film's description in the caller's memory to one of our own.
+//! Conversion of a film's description.
 
 use super::boundary::{check_size, optional_string, read_growing, require};
 use super::film_types::{PellicleFilmDesc, PellicleLayer, PellicleMedium};
@@ -54,7 +54,7 @@ unsafe fn read_medium(
     unsafe { read_growing(medium, desc.medium_size, place) }
 }
 
-/// Media and ranges of thickness, nm. The layers are as far apart as the caller's layers are large.
+/// Media and ranges of thickness, nm. The layers are `layer_size` bytes apart.
 unsafe fn read_layers(desc: &PellicleFilmDesc) -> Result<Vec<(Medium, [f64; 2])>, Error> {
     // Before the layers are read: a count that was never set may be anything.
     if desc.layer_count > MAX_LAYERS {
@@ -70,7 +70,7 @@ unsafe fn read_layers(desc: &PellicleFilmDesc) -> Result<Vec<(Medium, [f64; 2])>
     check_size::<PellicleLayer>(desc.layer_size, "desc->layer_size")?;
     let read = |i: usize| {
         let place = format!("layers[{i}].medium");
-        // SAFETY: the caller vouches for so many layers of that size. Zero is a valid PellicleLayer.
+        // SAFETY: the caller vouches for `layer_count` layers of that size. Zero is a valid PellicleLayer.
         unsafe {
             let layer = desc.layers.byte_add(i * desc.layer_size);
             let layer = read_growing(layer, desc.layer_size, &format!("layers[{i}]"))?;

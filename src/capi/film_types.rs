@@ -1,4 +1,4 @@
-//! The structs of a film: what it is made of, how it is evaluated, and the arguments of its batch.
+//! The structs of a film: media and layers, its description, its plan, and the arguments of its batch.
 
 use super::types::{PellicleConstView, PellicleView};
 use libc::{c_char, size_t};

@@ -1,4 +1,4 @@
-//! From a medium in the caller's memory to one of our own.
+//! Conversion of a medium.
 
 use super::boundary::{elements, string};
 use super::film_types::PellicleMedium;

@@ -6,7 +6,7 @@
 
 use crate::bsdf::{Exception, ModelInfo, ParamInfo, ParamKind, models};
 use crate::film::METHODS;
-use crate::optics::{ColorSpace, Named, White};
+use crate::optics::{ColorSpace, NamedMedium, White};
 use libc::c_char;
 use std::ffi::CStr;
 use std::ptr::null;
@@ -52,7 +52,7 @@ pub(super) fn list(texts: &'static [&'static str]) -> *const *const c_char {
     }
 }
 
-/// How many bytes and pointers there are.
+/// The numbers of bytes and pointers.
 const COUNTED: Writer<0, 0> = Writer::all();
 const WRITTEN: Writer<{ COUNTED.byte_count }, { COUNTED.pointer_count }> = Writer::all();
 
@@ -81,7 +81,7 @@ struct Pointer(*const c_char);
 // SAFETY: texts never change.
 unsafe impl Sync for Pointer {}
 
-/// In place of a text's place: the end of a list.
+/// The mark of the end of a list.
 const END: usize = usize::MAX;
 
 /// Appends texts to an array of B bytes, and the places of listed texts to an array of P places. With B = 0
@@ -115,8 +115,8 @@ impl<const B: usize, const P: usize> Writer<B, P> {
             i += 1;
         }
         let mut i = 0;
-        while i < Named::all().len() {
-            let medium = &Named::all()[i];
+        while i < NamedMedium::all().len() {
+            let medium = &NamedMedium::all()[i];
             writer.texts(&[medium.name, medium.source]);
             writer.list(medium.aliases);
             i += 1;

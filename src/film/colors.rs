@@ -1,4 +1,4 @@
-//! Colours of a film, and the ranges of what goes in and what comes out.
+//! Colours of a film, and the clamping of its inputs.
 
 use crate::num::{Mask, Real, Rgb};
 use crate::optics::Converged;
@@ -7,9 +7,9 @@ use crate::optics::Converged;
 /// arrives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Colors<T = f32> {
-    /// What returns to the side that the light came from.
+    /// The fraction that returns to the side that the light came from.
     pub reflectance: Rgb<T>,
-    /// What arrives on the other side.
+    /// The fraction that arrives on the other side.
     pub transmittance: Rgb<T>,
 }
 

@@ -16,7 +16,7 @@ pub const MAX_THICKNESS_NM: f64 = 1e8;
 /// One layer: its medium and the range of its thickness.
 #[derive(Clone, Debug)]
 pub struct FilmLayer {
-    /// Its medium; may absorb.
+    /// The medium, which may absorb.
     pub medium: Medium,
     /// Least and greatest thickness, nm, within \[0, [`MAX_THICKNESS_NM`]\]; equal for a fixed thickness.
     pub thickness_nm: [f64; 2],

@@ -1,17 +1,17 @@
-//! What a film is compiled to.
+//! The compiled form of a film.
 
 use super::fringe_series::series::FringeSeries;
 use super::method::compiled_method::CompiledMethod;
 use super::table::two_sided::TwoSidedTables;
 
-/// What the chosen method compiles to.
+/// The compiled form of a film, by the chosen method.
 pub(super) enum Evaluator {
-    /// Most films; looked up without a virtual call, and in lanes.
+    /// Tables, which most films have. They are looked up without a virtual call, and in lanes.
     Tables(TwoSidedTables),
     /// A method that knows the reflectance from the ambient's side alone.
     Method(Box<dyn CompiledMethod<f32>>),
-    /// The series at every call.
+    /// The series is summed at every call.
     Series(FringeSeries),
-    /// The film's own reference at every call.
+    /// The reference is evaluated at every call.
     Reference,
 }

@@ -1,16 +1,16 @@
-//! A film, compiled: what the users of this module hold.
+//! A compiled film.
 
 use super::colors::{Colors, clamp_inputs, has_nan};
 use super::description::FilmDescription;
 use super::evaluator::Evaluator;
-use super::plan::choose::{Plan, plan};
+use super::plan::choose::{FilmPlan, plan};
 use super::table::spline::SplineTable;
 use crate::error::Error;
 use crate::num::{Lane, Real, Rgb, each};
 use crate::optics::stack::Side;
 use crate::optics::{Medium, Reference};
 
-/// A coating, compiled to the method that its [`Plan`] names. Immutable; share it between threads.
+/// A coating, compiled to the method that its [`FilmPlan`] names. Immutable; share it between threads.
 ///
 /// `cos_theta` is the cosine of incidence on the side that the light comes from, clamped to \[1e-9, 1\];
 /// `thickness_nm` is the thickness of the layer that varies, clamped to its range, and ignored if none
@@ -20,15 +20,14 @@ use crate::optics::{Medium, Reference};
 pub struct Film {
     description: FilmDescription,
     pub(super) evaluator: Evaluator,
-    plan: Plan,
+    plan: FilmPlan,
     /// The range that thicknesses are clamped to, nm.
     thickness_nm: [f32; 2],
-    /// The range that colours are clipped to.
-    color: [<f32 as Lane>::Rgb; 2],
     reference: Reference,
 }
 
-/// Smaller cosines are replaced by this one. At 0 the thinnest film mirrors, and no film does not.
+/// The least cosine; smaller ones are replaced by it. At 0 even the thinnest film is a perfect mirror,
+/// while a base without film may reflect nothing.
 const LEAST_COSINE: f32 = 1e-9;
 
 impl Film {
@@ -48,38 +47,32 @@ impl Film {
             description.color_space,
         )?;
         let (evaluator, plan) = plan(description, &reference)?;
-        let color = if description.unclipped {
-            [f32::NEG_INFINITY, f32::INFINITY]
-        } else {
-            [0.0, 1.0]
-        };
         Ok(Self {
             description: description.clone(),
             evaluator,
             plan,
             thickness_nm: description.varying_range().map(|x| x as f32),
-            color: color.map(f32::gray),
             reference,
         })
     }
 
-    /// The description that it was made from.
+    /// The description of the film.
     pub fn description(&self) -> &FilmDescription {
         &self.description
     }
 
-    /// The method that evaluates it, and its measured errors.
-    pub fn plan(&self) -> &Plan {
+    /// The method that evaluates the film, and its measured errors.
+    pub fn plan(&self) -> &FilmPlan {
         &self.plan
     }
 
-    /// The range of the thickness that varies, nm, if one does.
+    /// The range of the thickness that varies, nm; `None` if none does.
     pub fn varying_thickness_nm(&self) -> Option<[f64; 2]> {
         self.description.varying()?;
         Some(self.description.varying_range())
     }
 
-    /// Reflectance from the ambient's side.
+    /// Reflectance of unpolarised light from the ambient's side, linear RGB.
     #[inline(always)]
     pub fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         self.reflectance_lanes(cos_theta, thickness_nm)
@@ -93,16 +86,20 @@ impl Film {
         thickness_nm: L,
     ) -> Rgb<L> {
         let inputs = [cos_theta, thickness_nm];
-        match self.table() {
-            Some(table) if !has_nan(inputs) => {
-                let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
-                L::channels(self.clip::<L>(table.at(cos_theta, thickness_nm)))
-            }
-            _ => self.reflectance_one_by_one(inputs),
+        if has_nan(inputs) {
+            return one_by_one(inputs, |c, d| self.reflectance_or_zero(c, d));
         }
+        let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
+        let rgb = match self.table() {
+            Some(table) => table.at(cos_theta, thickness_nm),
+            None => L::rgb(one_by_one([cos_theta, thickness_nm], |c, d| {
+                self.unclipped(c, d)
+            })),
+        };
+        L::channels(self.clip::<L>(rgb))
     }
 
-    /// The table of the reflectance from the ambient's side, if the film is one over the cosine there.
+    /// The table of the reflectance from the ambient's side, if the film has one over the cosine there.
     #[inline(always)]
     pub(super) fn table(&self) -> Option<&SplineTable> {
         match &self.evaluator {
@@ -123,48 +120,36 @@ impl Film {
 
     #[inline(always)]
     pub(super) fn clip<L: Lane<Scalar = f32>>(&self, rgb: L::Rgb) -> L::Rgb {
-        let [least, greatest] = self.color;
-        rgb.max(L::splat_rgb(least)).min(L::splat_rgb(greatest))
-    }
-
-    /// [`Film::reflectance_with`] of each lane.
-    #[inline(always)]
-    pub(super) fn reflectance_one_by_one<L: Lane<Scalar = f32>>(
-        &self,
-        [cos_theta, thickness_nm]: [L; 2],
-    ) -> Rgb<L> {
-        const MOST: usize = 16;
-        let mut inputs = [[0.0; MOST]; 2];
-        cos_theta.store(&mut inputs[0][..L::COUNT]);
-        thickness_nm.store(&mut inputs[1][..L::COUNT]);
-        let [cos_theta, thickness_nm] = inputs;
-        let mut channels = [[0.0; MOST]; 3];
-        for lane in 0..L::COUNT {
-            let color = self.reflectance_with(cos_theta[lane], thickness_nm[lane]);
-            for (channel, number) in channels.iter_mut().zip(color) {
-                channel[lane] = number;
-            }
+        if self.description.unclipped {
+            return rgb;
         }
-        each!(channels, |numbers| L::load(&numbers[..L::COUNT]))
+        rgb.max(L::Rgb::new(0.0)).min(L::Rgb::new(1.0))
     }
 
-    /// [`Film::reflectance`] by any evaluator, and of inputs that may be NaN.
+    /// [`Film::reflectance`] for inputs of which one may be NaN, which is rare.
+    #[cold]
     #[inline(never)]
-    fn reflectance_with(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+    pub(super) fn reflectance_or_zero(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         let inputs = [cos_theta, thickness_nm];
         if has_nan(inputs) {
             return [0.0; 3];
         }
         let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
-        let rgb = match &self.evaluator {
+        let rgb = f32::rgb(self.unclipped(cos_theta, thickness_nm));
+        f32::channels(self.clip::<f32>(rgb))
+    }
+
+    /// The unclipped reflectance for inputs in their ranges, by any evaluator.
+    #[inline(never)]
+    fn unclipped(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        match &self.evaluator {
             Evaluator::Tables(tables) => tables.reflectance(cos_theta, thickness_nm),
             Evaluator::Method(method) => method.reflectance(cos_theta, thickness_nm),
             Evaluator::Series(_) | Evaluator::Reference => {
                 self.unclipped_colors(Side::Ambient, cos_theta, thickness_nm)
                     .reflectance
             }
-        };
-        f32::channels(self.clip::<f32>(f32::rgb(rgb)))
+        }
     }
 
     /// The unclipped colours for inputs in their ranges, by an evaluator that knows both sides.
@@ -221,8 +206,8 @@ impl Film {
         found.reflectance
     }
 
-    /// Reflectance of unpolarised light at one vacuum wavelength (nm, > 0), for spectral renderers; 0 for
-    /// NaN. Beyond 380-780 nm indices are those at the ends of that range. Allocates.
+    /// Reflectance of unpolarised light from the ambient's side at one vacuum wavelength (nm, > 0), for spectral
+    /// renderers; 0 for NaN. Named media are constant outside 380-780 nm. It allocates.
     pub fn spectrum(&self, cos_theta: f64, thickness_nm: f64, wavelength_nm: f64) -> f64 {
         if cos_theta.is_nan() || thickness_nm.is_nan() {
             return 0.0;
@@ -234,7 +219,7 @@ impl Film {
             .unpolarized_reflectance()
     }
 
-    /// The ambient medium and the base, for those who refract.
+    /// The ambient medium and the base, for callers that refract directions themselves.
     pub fn half_spaces(&self) -> [&Medium; 2] {
         [&self.description.ambient, &self.description.base]
     }
@@ -245,4 +230,25 @@ impl Film {
         let thicknesses = self.description.thicknesses(thickness_nm);
         Colors::from(self.reference.evaluate(side, cos_theta, &thicknesses)).to_f32()
     }
+}
+
+/// The colours of each lane's cosine and thickness in turn.
+#[inline(always)]
+pub(super) fn one_by_one<L: Lane<Scalar = f32>>(
+    [cos_theta, thickness_nm]: [L; 2],
+    color: impl Fn(f32, f32) -> Rgb<f32>,
+) -> Rgb<L> {
+    const MOST: usize = 16;
+    let mut inputs = [[0.0; MOST]; 2];
+    cos_theta.store(&mut inputs[0][..L::COUNT]);
+    thickness_nm.store(&mut inputs[1][..L::COUNT]);
+    let [cos_theta, thickness_nm] = inputs;
+    let mut channels = [[0.0; MOST]; 3];
+    for lane in 0..L::COUNT {
+        let color = color(cos_theta[lane], thickness_nm[lane]);
+        for (channel, number) in channels.iter_mut().zip(color) {
+            channel[lane] = number;
+        }
+    }
+    each!(channels, |numbers| L::load(&numbers[..L::COUNT]))
 }

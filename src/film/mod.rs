@@ -1,5 +1,5 @@
-//! Colours of a film: from (cosine, thickness) to linear RGB, by methods that trade accuracy for time.
-//! The truth that they approximate is [`crate::optics::Reference`].
+//! Colours of a film: from (cosine, thickness) to linear RGB, by methods that trade accuracy for time. The
+//! exact colours that they approximate are those of [`crate::optics::Reference`].
 //!
 //! [`Film::new`] takes a [`FilmDescription`], has the cheapest method chosen whose measured error holds
 //! the tolerance (`plan/`), and compiles it. A method is one file in `method/`. Most films become tables
@@ -33,4 +33,4 @@ pub use method::one_layer::OneLayer;
 pub use method::registry::METHODS;
 #[doc(hidden)]
 pub use method::registry::OneLayerMethod;
-pub use plan::choose::Plan;
+pub use plan::choose::FilmPlan;

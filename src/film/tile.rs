@@ -1,9 +1,9 @@
 //! Reflectances of a film for arrays of arguments.
 
 use super::colors::has_nan;
-use super::film::Film;
+use super::film::{Film, one_by_one};
 use super::table::spline::SplineTable;
-use crate::num::{Lane, Level, Work};
+use crate::num::{ColumnsMut, Lane, Level, Work};
 
 /// Positions of this number of elements wait in the processor's first cache.
 const BLOCK: usize = 256;
@@ -13,39 +13,31 @@ const BLOCK: usize = 256;
 /// The operations that find a position depend on each other. If each were followed by its look-up, a
 /// processor's window would have no room left to begin the next position meanwhile. So all positions of
 /// a block are found before its first look-up.
-struct TileLookUp<'a> {
+struct TileLookUp<'a, 'b> {
     film: &'a Film,
     table: &'a SplineTable,
     cos_theta: &'a [f32],
     thickness_nm: &'a [f32],
-    reflectance: [&'a mut [f32]; 3],
+    reflectance: &'a mut ColumnsMut<'b, f32>,
 }
 
-impl Work<f32> for TileLookUp<'_> {
+impl Work<f32> for TileLookUp<'_, '_> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Lane<Scalar = f32>>(self) {
         let Self { film, table, .. } = self;
-        let [r, g, b] = self.reflectance;
         let inputs = self
             .cos_theta
             .chunks(BLOCK)
             .zip(self.thickness_nm.chunks(BLOCK));
-        let results = r
-            .chunks_mut(BLOCK)
-            .zip(g.chunks_mut(BLOCK))
-            .zip(b.chunks_mut(BLOCK));
         let mut positions = [[0.0; BLOCK]; 2];
-        for ((cos_theta, thickness_nm), ((r, g), b)) in inputs.zip(results) {
-            find_positions::<L>(film, table, [cos_theta, thickness_nm], &mut positions);
-            look_up::<L>(
-                film,
-                table,
-                [cos_theta, thickness_nm],
-                &positions,
-                [r, g, b],
-            );
+        let mut first = 0;
+        for (cos_theta, thickness_nm) in inputs {
+            let inputs = [cos_theta, thickness_nm];
+            find_positions::<L>(film, table, inputs, &mut positions);
+            look_up::<L>(film, table, inputs, &positions, first, self.reflectance);
+            first += BLOCK;
         }
     }
 }
@@ -82,28 +74,25 @@ fn look_up<L: Lane<Scalar = f32>>(
     table: &SplineTable,
     [cos_theta, thickness_nm]: [&[f32]; 2],
     [x, y]: &[[f32; BLOCK]; 2],
-    [r, g, b]: [&mut [f32]; 3],
+    first: usize,
+    reflectance: &mut ColumnsMut<f32>,
 ) {
     let inputs = cos_theta
         .chunks_exact(L::COUNT)
         .zip(thickness_nm.chunks_exact(L::COUNT));
     let positions = x.chunks_exact(L::COUNT).zip(y.chunks_exact(L::COUNT));
-    let results = r
-        .chunks_exact_mut(L::COUNT)
-        .zip(g.chunks_exact_mut(L::COUNT))
-        .zip(b.chunks_exact_mut(L::COUNT));
-    for (((cos_theta, thickness_nm), (x, y)), ((r, g), b)) in inputs.zip(positions).zip(results) {
+    let mut element = first;
+    for ((cos_theta, thickness_nm), (x, y)) in inputs.zip(positions) {
         let inputs = [L::load(cos_theta), L::load(thickness_nm)];
         let rgb = if has_nan(inputs) {
-            film.reflectance_one_by_one(inputs)
+            one_by_one(inputs, |c, d| film.reflectance_or_zero(c, d))
         } else {
             let y = L::load(y);
             let rgb = table.around::<L>(L::rgb([L::load(x), y, y]));
             L::channels(film.clip::<L>(rgb))
         };
-        rgb[0].store(r);
-        rgb[1].store(g);
-        rgb[2].store(b);
+        reflectance.store(element, rgb);
+        element += L::COUNT;
     }
 }
 
@@ -115,7 +104,7 @@ impl Film {
         level: Level,
         cos_theta: &[f32],
         thickness_nm: &[f32],
-        reflectance: [&mut [f32]; 3],
+        reflectance: &mut ColumnsMut<f32>,
     ) {
         if let Some(table) = self.table().filter(|_| !level.is_scalar()) {
             level.run(TileLookUp {
@@ -127,9 +116,8 @@ impl Film {
             });
             return;
         }
-        let [r, g, b] = reflectance;
         for (i, cos_theta) in cos_theta.iter().enumerate() {
-            [r[i], g[i], b[i]] = self.reflectance(*cos_theta, thickness_nm[i]);
+            reflectance.store(i, self.reflectance(*cos_theta, thickness_nm[i]));
         }
     }
 }
@@ -206,9 +194,10 @@ mod tests {
             for count in [0, 16, 32, 256, 704] {
                 let [cos_theta, thickness_nm] = arguments(count, &odd);
                 for level in Level::all() {
-                    let mut found = [(); 3].map(|()| vec![-1.0; count]);
-                    let [r, g, b] = &mut found;
-                    film.reflectance_tile(level, &cos_theta, &thickness_nm, [r, g, b]);
+                    let mut room = vec![-1.0; 3 * count];
+                    let mut columns = ColumnsMut::of_slice(&mut room);
+                    film.reflectance_tile(level, &cos_theta, &thickness_nm, &mut columns);
+                    let found: Vec<&[f32]> = room.chunks(count.max(1)).collect();
                     for i in 0..count {
                         let single = film.reflectance(cos_theta[i], thickness_nm[i]);
                         let found = [found[0][i], found[1][i], found[2][i]];

@@ -6,8 +6,8 @@ use crate::optics::{ChannelWeights, VISIBLE_NM};
 /// Points of the integrals of the weights.
 const GRID: usize = 4000;
 
-/// Nodes in wavenumber (per nm), ascending, and their weights per channel, which sum to 1. This part
-/// of the channels' power lies beyond either end.
+/// Nodes in wavenumber (per nm), ascending, and their weights per channel, which sum to 1. The part
+/// `left_out` of the channels' power lies beyond either end.
 pub(super) fn equidistant(
     weights: &ChannelWeights,
     count: usize,
@@ -24,7 +24,7 @@ pub(super) fn equidistant(
     let power = |w: &Rgb<f64>| (0..3).map(|c| (w[c] / white[c]).abs()).sum::<f64>();
     let whole: f64 = channels.iter().map(power).sum();
     let left_out = whole * left_out;
-    // The faint end on either side, per nm.
+    // The width of the faint end on either side, per nm.
     let cut = |from_first: bool| {
         let mut sum = 0.0;
         let beyond = |i: &usize| {
@@ -36,7 +36,7 @@ pub(super) fn equidistant(
     };
     let (first, last) = (first + cut(true), last - cut(false));
     let step = (last - first) / count as f64;
-    // sin(pi (sigma - node) / step) differs from node to node by its sign alone.
+    // sin(pi (sigma - node) / step) differs between nodes only in its sign.
     let waves = (0..GRID).map(|i| {
         let x = PI * (sigma(i) - first) / step;
         (x, -x.cos())

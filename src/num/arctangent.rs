@@ -2,7 +2,7 @@
 
 use super::{PI, Real};
 
-/// tan(pi / 8): below it the polynomial serves.
+/// tan(pi / 8), the greatest argument of the polynomial.
 const EIGHTH: f64 = std::f64::consts::SQRT_2 - 1.0;
 
 /// atan(t) / t by powers of t^2 for |t| <= tan(pi / 8): the interpolant in the 8 Chebyshev nodes of
@@ -18,8 +18,9 @@ const POLYNOMIAL: [f64; 8] = [
     -0.037655106012914021,
 ];
 
-/// The angle of the vector (x, y) from the first axis in turns, in [-1/2, 1/2]; 0 for the null
-/// vector. Relative error 1e-12 or the type's rounding, also where the angle is small.
+/// The angle from the first axis to the vector (x, y), in turns, within [-1/2, 1/2]; 0 for the null vector.
+/// The relative error is 1e-12 or the rounding error of the type, whichever is greater, for small angles
+/// too.
 #[inline(always)]
 pub(crate) fn angle_turns<T: Real>(y: T, x: T) -> T {
     let (zero, one) = (T::new(0.0), T::new(1.0));

@@ -1,9 +1,9 @@
 //! Elementary functions in single precision, without branches or tables.
 //!
-//! They are the default methods of [`Real`]; double precision overrides them. The C library's `powf` and
-//! `cosf` cost 10 to 20 ns and cannot be vectorised; these cost a few ns and work in lanes. The
-//! polynomials are our own minimax fits (Lawson's algorithm, weighted for relative error). Each fit's
-//! error is beside it, and a test measures the error of the whole function over its range:
+//! They are the methods of [`Real`] for `f32` and lanes of `f32`; double precision has its own. The C
+//! library's `powf` and `cosf` cost 10 to 20 ns and cannot be vectorised; these cost a few ns and work in
+//! lanes. The polynomials are our own minimax fits (Lawson's algorithm, weighted for relative error). A
+//! comment beside each fit states its error, and a test measures the error of each function over its range:
 //!
 //! | function | range | greatest error |
 //! |---|---|---|
@@ -15,14 +15,30 @@
 
 use super::Real;
 
-/// ln 2 in two parts: the first is 355/512, so short that n * LN2_HIGH is exact for every exponent
-/// of single precision; the second is what remains.
+/// The elementary functions of [`Real`] for a type in single precision.
+macro_rules! elementary_methods {
+    () => {
+        elementary_methods!(exp, exp_m1, ln, ln_1p, cos_turns, sin_turns);
+    };
+    ($($name:ident),+) => {
+        $(
+            #[inline(always)]
+            fn $name(self) -> Self {
+                $crate::num::elementary::$name(self)
+            }
+        )+
+    };
+}
+pub(in crate::num) use elementary_methods;
+
+/// ln 2 in two parts. The first is 355/512, which has so few digits that n * LN2_HIGH is exact for every
+/// exponent n of single precision; the second is the rest.
 const LN2_HIGH: f64 = 0.693_359_375;
 const LN2_LOW: f64 = -2.121_944_400_546_905_8e-4;
-/// Below this e^x is less than the least normal number; the result is 0.
+/// Below this argument e^x is less than the least normal number, and the result is 0.
 const EXP_UNDERFLOW: f64 = -87.336;
 
-/// x = n ln 2 + r with |r| <= ln(2)/2; returns n and e^r - 1.
+/// Splits x = n ln 2 + r with |r| <= ln(2) / 2 and returns n and e^r - 1.
 #[inline(always)]
 fn reduce_exp<T: Real>(x: T) -> (T, T) {
     let x = x.max(T::new(EXP_UNDERFLOW)).min(T::new(88.0));
@@ -38,17 +54,17 @@ fn reduce_exp<T: Real>(x: T) -> (T, T) {
 }
 
 #[inline(always)]
-pub(super) fn exp<T: Real>(x: T) -> T {
+pub(in crate::num) fn exp<T: Real>(x: T) -> T {
     let (n, m1) = reduce_exp(x);
     let value = (m1 + T::new(1.0)) * n.power_of_two();
     T::select(x.lt(T::new(EXP_UNDERFLOW)), T::new(0.0), value)
 }
 
 #[inline(always)]
-pub(super) fn exp_m1<T: Real>(x: T) -> T {
+pub(in crate::num) fn exp_m1<T: Real>(x: T) -> T {
     let (n, m1) = reduce_exp(x);
     let scale = n.power_of_two();
-    // 2^n (e^r - 1) + (2^n - 1): for n = 0 exactly e^r - 1.
+    // e^x - 1 = 2^n (e^r - 1) + (2^n - 1), which is exactly e^r - 1 for n = 0.
     m1 * scale + (scale - T::new(1.0))
 }
 
@@ -67,19 +83,19 @@ fn ln_reduced<T: Real>(f: T, exponent: T) -> T {
 }
 
 #[inline(always)]
-pub(super) fn ln<T: Real>(x: T) -> T {
+pub(in crate::num) fn ln<T: Real>(x: T) -> T {
     let (mantissa, exponent) = x.split();
     let value = ln_reduced(mantissa - T::new(1.0), exponent);
     T::select(x.le(T::new(0.0)), T::new(f64::NEG_INFINITY), value)
 }
 
 #[inline(always)]
-pub(super) fn ln_1p<T: Real>(x: T) -> T {
+pub(in crate::num) fn ln_1p<T: Real>(x: T) -> T {
     let one = T::new(1.0);
     let u = one + x;
     let (mantissa, exponent) = u.split();
-    // What rounding 1 + x lost goes back into the reduced argument, scaled as the mantissa is. The
-    // larger of 1 and x is subtracted last, so that the difference is exact.
+    // The rounding error of 1 + x is added to the reduced argument, scaled as the mantissa is. The larger
+    // of 1 and x is subtracted last, so that the difference is exact.
     let lost = T::select(x.gt(one), one - (u - x), x - (u - one));
     let f = (mantissa - one) + lost * (-exponent).power_of_two();
     let value = ln_reduced(f, exponent);
@@ -94,19 +110,19 @@ fn sin_quarter<T: Real>(t: T) -> T {
     let p = p * z + T::new(-76.574_996_5);
     let p = p * z + T::new(81.602_231_5);
     let p = p * z + T::new(-41.341_677_5);
-    // The leading coefficient 2 pi in two parts: the fit's own value less its rounding to f32.
+    // The leading coefficient, about 2 pi, comes in two parts: its rounding to f32, and the rest.
     let p = p * z + T::new(-1.747e-7);
     t * T::new(6.283_185_482_025_146_5) + t * p
 }
 
 #[inline(always)]
-pub(super) fn cos_turns<T: Real>(x: T) -> T {
+pub(in crate::num) fn cos_turns<T: Real>(x: T) -> T {
     let fraction = (x - x.round()).abs();
     sin_quarter(T::new(0.25) - fraction)
 }
 
 #[inline(always)]
-pub(super) fn sin_turns<T: Real>(x: T) -> T {
+pub(in crate::num) fn sin_turns<T: Real>(x: T) -> T {
     let fraction = x - x.round();
     let quarter = T::new(0.25);
     let half = T::new(0.5);

@@ -1,51 +1,57 @@
-//! `Lane`: the number type of a surface, alone or several side by side.
+//! `Lane`: the number type of a surface, one number or one in each lane of a register.
 //!
-//! A formula that depends on the wavelength is written for one channel and evaluated with
-//! [`Lane::Rgb`], which holds all three: three numbers side by side in general, one register of
-//! four lanes for a single `f32`. So a single call costs one evaluation, not three.
+//! A formula that depends on the wavelength is written for one channel and evaluated with [`Lane::Rgb`],
+//! which has all three channels: three numbers in general, one register of four lanes for a single `f32` on
+//! x86-64. There a single call costs one evaluation instead of three.
 
 use super::Real;
 use super::rgb::{Triple, each};
 use super::table::{INDEX_BIAS, TableBlock, TableEntry};
 use super::table::{load_block, weighted};
 
-/// A real number that colours are made of; or several side by side, one for each of as many surfaces.
+/// A real number, or a register of real numbers with one lane for each surface.
 pub trait Lane: Real {
-    /// Three of them, with every operation applied to each.
+    /// Three colour channels; every operation applies to each of them.
     type Rgb: Real;
-    /// One number.
+    /// The type of one lane.
     type Scalar: Lane<Scalar = Self::Scalar>;
-    /// How many there are side by side.
+    /// Number of lanes.
     const COUNT: usize;
-    /// The same everywhere.
+    /// The same number in every lane.
     fn splat(number: Self::Scalar) -> Self;
-    /// What `work` gives, of lanes in a function of its own: for what is long and called from many places.
-    /// `work` must be `#[inline(always)]`.
+    /// Runs `work` in a function that is not inlined, compiled for the instructions of these lanes. It
+    /// keeps long code that has many callers from being copied. `work` must be `#[inline(always)]`.
     fn outlined<R>(work: impl FnOnce() -> R) -> R;
-    /// The numbers of a slice, which must be [`Lane::COUNT`].
+    /// Loads one number per lane from a slice of length [`Lane::COUNT`].
     fn load(numbers: &[Self::Scalar]) -> Self;
-    /// Into a slice of [`Lane::COUNT`].
+    /// Stores one number per lane to a slice of length [`Lane::COUNT`].
     fn store(self, numbers: &mut [Self::Scalar]);
+    /// Writes [`Lane::COUNT`] numbers to memory that may not be initialised.
+    ///
+    /// # Safety
+    /// They must be writable; any alignment.
+    #[allow(unsafe_code)]
+    unsafe fn write(self, target: *mut Self::Scalar);
     /// Red, green and blue.
     fn rgb(channels: [Self; 3]) -> Self::Rgb;
-    /// The same in every channel.
+    /// The same number in every channel.
     fn gray(self) -> Self::Rgb;
     /// Red, green and blue.
     fn channels(rgb: Self::Rgb) -> [Self; 3];
-    /// The same colour everywhere.
+    /// The same colour in every lane.
     #[inline(always)]
     fn splat_rgb(rgb: <Self::Scalar as Lane>::Rgb) -> Self::Rgb {
         Self::rgb(each!(Self::Scalar::channels(rgb), |channel| Self::splat(
             channel
         )))
     }
-    /// The entry of a table whose number is the nearest to the whole number `index`; the first for NaN.
+    /// The table entry at the whole number `index`, clamped to the table; the first entry for NaN.
     ///
     /// # Panics
     /// If the table is empty.
     fn load_entry<const N: usize>(table: &[[Self::Scalar; N]], index: Self) -> [Self; N];
-    /// The weighted sum of three entries of a table, the first at `first`, a whole number in [0, 2^22]
-    /// plus [`INDEX_BIAS`](super::table::INDEX_BIAS).
+    /// The weighted sum of three neighbouring entries of a table. `first` is the index of the first one, a
+    /// whole number in [0, 2^22], plus `INDEX_BIAS`.
     ///
     /// # Panics
     /// If they are not all in the table.
@@ -65,7 +71,7 @@ pub trait Lane: Real {
     ) -> Self::Rgb;
 }
 
-/// The methods of an [`Lane`] whose channels have no register to share.
+/// The methods of a [`Lane`] whose colours are [`Triple`]s.
 macro_rules! triple_methods {
     () => {
         #[inline(always)]
@@ -84,7 +90,7 @@ macro_rules! triple_methods {
 }
 pub(super) use triple_methods;
 
-/// The methods of an [`Lane`] that is one number.
+/// The methods of a [`Lane`] that is one number.
 macro_rules! scalar_methods {
     () => {
         type Scalar = Self;
@@ -106,6 +112,12 @@ macro_rules! scalar_methods {
             numbers[0] = self;
         }
         #[inline(always)]
+        #[allow(unsafe_code)]
+        unsafe fn write(self, target: *mut Self) {
+            // SAFETY: the caller vouches for it.
+            unsafe { target.write_unaligned(self) }
+        }
+        #[inline(always)]
         fn splat_rgb(rgb: Self::Rgb) -> Self::Rgb {
             rgb
         }
@@ -117,7 +129,7 @@ macro_rules! scalar_methods {
 }
 pub(super) use scalar_methods;
 
-/// A number whose channels have no register to share.
+/// Implements [`Lane`] for a number whose colours are [`Triple`]s.
 macro_rules! side_by_side {
     ($t:ty) => {
         impl Lane for $t {

@@ -1,5 +1,5 @@
-//! The arithmetic that every formula is written in: the trait [`Real`], its elementary functions,
-//! three-vectors and warps of the unit square. Nothing here knows about optics.
+//! The arithmetic of all formulas: the traits [`Real`] and [`Lane`], elementary functions, SIMD lanes,
+//! vectors, table look-ups and warps of the unit square. Nothing here depends on optics.
 
 mod arctangent;
 mod columns;
@@ -9,13 +9,14 @@ mod lane;
 mod lanes;
 mod real;
 mod rgb;
+mod scalar;
 pub(crate) mod spline;
 mod table;
 mod vec3;
 pub mod warp;
 
 pub(crate) use arctangent::angle_turns;
-pub use columns::{Columns, ColumnsMut};
+pub use columns::{ColumnMut, Columns, ColumnsMut};
 pub(crate) use error_function::{erfcx, erfinv};
 pub use lane::Lane;
 pub use lanes::{F64x4, Level, Work, widest};
@@ -25,5 +26,5 @@ pub(crate) use table::INDEX_BIAS;
 pub use table::{TableBlock, TableEntry};
 pub use vec3::{Rgb, Vec3};
 
-/// The ratio of a circle's circumference to its diameter, as the formulas use it.
+/// pi.
 pub(crate) const PI: f64 = std::f64::consts::PI;

@@ -1,10 +1,10 @@
-//! Three colour channels side by side, where they do not share a register.
+//! Three colour channels as three numbers.
 
 use super::{Mask, Real};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// What a closure makes of each of three values. What handles lanes must be inlined into code that was
-/// compiled for their instructions; closures given to `map` on arrays are not.
+/// Applies an expression to each of three values. Code for lanes must be inlined into a function that is
+/// compiled for their instructions; a closure passed to `map` of an array is not.
 macro_rules! each {
     ($values:expr, |$value:pat_param| $body:expr) => {{
         let [a, b, c] = $values;
@@ -26,12 +26,12 @@ macro_rules! each {
 }
 pub(crate) use each;
 
-/// Three numbers, or three truth values, side by side.
+/// Three numbers or three truth values, one per colour channel.
 #[derive(Clone, Copy, Debug)]
 pub struct Triple<T>(pub [T; 3]);
 
-/// `$f` of each channel of one or of two triples. Not by a function of functions: those that handle lanes
-/// must be named where they are called, or they are not inlined.
+/// Applies `$f` to each channel of one or two triples. It is a macro because a function passed as an
+/// argument is not inlined, as code for lanes must be.
 macro_rules! per_channel {
     ($f:expr, $a:expr) => {
         Triple([$f($a.0[0]), $f($a.0[1]), $f($a.0[2])])

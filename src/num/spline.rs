@@ -2,13 +2,14 @@
 
 use super::{Real, Rgb};
 
-/// The least number of values.
+/// The least number of values that a spline goes through.
 pub(crate) const LEAST_VALUES: usize = 5;
 
-/// Turns values at n >= 5 equidistant points into the n + 2 control points of the quadratic B-spline
-/// through them; the first belongs a step before the first value. Its polynomials meet halfway between
-/// the values, and the first two are one, as are the last two (de Boor 1978, "A Practical Guide to
-/// Splines", chapter IV: "not a knot"), which keeps the order 3 up to the ends.
+/// Computes the n + 2 control points of the quadratic B-spline through n >= 5 equidistant values and stores
+/// them in `out`; the first control point belongs one step before the first value. The polynomials of the
+/// spline meet halfway between the values. The first two are the same polynomial, and so are the last two
+/// (de Boor 1978, "A Practical Guide to Splines", chapter IV: "not a knot"), which keeps the order 3 up to
+/// the ends.
 ///
 /// The spline at value k is (c(k - 1) + 6 c(k) + c(k + 1)) / 8.
 pub(crate) fn controls(values: &[Rgb<f64>], out: &mut Vec<Rgb<f64>>) {
@@ -48,7 +49,8 @@ pub(crate) fn controls(values: &[Rgb<f64>], out: &mut Vec<Rgb<f64>>) {
     out[n + 1] = combine([8.0, -6.0, -1.0], [values[n - 1], out[n], out[n - 1]]);
 }
 
-/// The weights of the three control points around a value, a distance in [-1/2, 1/2] from it.
+/// The weights of the three control points around a value, at a distance in [-1/2, 1/2] steps from that
+/// value.
 #[inline(always)]
 pub(crate) fn weights<T: Real>(distance: T) -> [T; 3] {
     let root = T::new(std::f64::consts::FRAC_1_SQRT_2);
@@ -61,16 +63,16 @@ pub(crate) fn weights<T: Real>(distance: T) -> [T; 3] {
     ]
 }
 
-/// Where between the values the spline's error is greatest, from the nearest one: there t^3 - t / 4,
-/// the shape of the leading term, is; it is 0 at the values and halfway between them.
+/// The distance from the nearest value, in steps, at which the spline's error is greatest. The leading term
+/// of the error is proportional to t^3 - t / 4, which is 0 at the values and halfway between them and
+/// greatest at t = 1 / sqrt(12).
 pub(crate) const FARTHEST: f64 = 0.288_675; // 1 / sqrt(12)
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A spline of order 3 reproduces parabolas between and at the values, up to the ends; and meets
-    /// any values.
+    /// A spline of order 3 reproduces parabolas everywhere, and goes through any values.
     #[test]
     fn reproduces_parabolas_and_values() {
         let f = |x: f64| [1.0 + x, x * x - 2.0, 0.3 - x * x * 0.7 - x];

@@ -1,53 +1,54 @@
-//! Tables of colours: their entries, and the weighted sums that a look-up needs.
+//! Tables of colours: their entries, and weighted sums of entries.
 
 use super::Real;
 use super::rgb::Triple;
 
-/// Three channels and a filler, which must equal one of them: placed as registers take them.
+/// Three channels and a filler, aligned so that one load fills a register. The filler repeats the last
+/// channel.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C, align(16))]
 pub struct TableEntry<T>([T; 4]);
 
 impl<T: Copy> TableEntry<T> {
-    /// The filler is the last channel.
+    /// The entry of a colour.
     #[inline(always)]
     pub fn new([r, g, b]: [T; 3]) -> Self {
         Self([r, g, b, b])
     }
 }
 
-/// Which entries of a table, and their weights.
+/// A block of 3 x 3 entries of a table, and the weights of its rows and columns.
 #[derive(Clone, Copy, Debug)]
 pub struct TableBlock<T> {
-    /// Column and row of the first, whole numbers in [0, 2^22], plus [`INDEX_BIAS`].
+    /// Column and row of the first entry, whole numbers in [0, 2^22], each plus `INDEX_BIAS`.
     pub first: [T; 2],
-    /// Weights of the columns.
+    /// Weights of the three columns.
     pub across: [T; 3],
-    /// Weights of the rows.
+    /// Weights of the three rows.
     pub along: [T; 3],
 }
 
-/// 2^23. Adding it to a number in [0, 2^22] rounds that to a whole number, which is then in the lowest
-/// bits: who rounds a position so has its index without another operation.
+/// 2^23. Adding it to a number in [0, 2^22] rounds the number to a whole one, whose integer is then in the
+/// lowest bits of the sum: rounding a position also gives its index.
 pub(crate) const INDEX_BIAS: f64 = 8_388_608.0;
 
-/// The whole number in [0, 2^22] that [`INDEX_BIAS`] was added to; undefined for other arguments.
+/// The whole number in [0, 2^22] that [`INDEX_BIAS`] was added to; unspecified for other arguments.
 #[inline(always)]
 pub(super) fn unbiased(biased: f32) -> usize {
     (biased.to_bits() & 0x007f_ffff) as usize
 }
 
-/// The sum of three, each times its weight.
+/// The weighted sum of three colours.
 #[inline(always)]
 pub(super) fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
     a * u + b * v + c * w
 }
 
-/// Three entries from each of three rows of a table, the first at `from`, the rows `stride` entries
-/// apart. For single precision on x86-64 there is another.
+/// Loads three entries from each of three rows of a table. The first entry is at `from`, and rows are
+/// `stride` entries apart. `rgb_sse2.rs` has its own for single precision on x86-64.
 ///
 /// # Panics
-/// If they are not all in the table.
+/// If an entry is outside the table.
 #[inline(always)]
 pub(super) fn load_block<T: Copy>(
     table: &[TableEntry<T>],

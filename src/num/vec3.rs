@@ -5,32 +5,32 @@ use super::{Lane, Real};
 /// One value per colour channel: red, green, blue.
 pub type Rgb<T> = [T; 3];
 
-/// A vector or direction in the shading frame.
+/// A vector or a direction in the shading frame.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Vec3<T> {
-    /// Along the tangent.
+    /// Component along the tangent.
     pub x: T,
-    /// Along the bitangent.
+    /// Component along the bitangent.
     pub y: T,
-    /// Along the shading normal: the cosine of a unit direction.
+    /// Component along the shading normal; for a unit direction the cosine of its angle to the normal.
     pub z: T,
 }
 
 impl<T: Real> Vec3<T> {
-    /// From its components.
+    /// The vector with these components.
     #[inline(always)]
     pub fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
 
-    /// From its components.
+    /// The vector with these components.
     #[inline(always)]
     pub fn from_array([x, y, z]: [T; 3]) -> Self {
         Self { x, y, z }
     }
 
-    /// Its components.
+    /// The components.
     #[inline(always)]
     pub fn to_array(self) -> [T; 3] {
         [self.x, self.y, self.z]
@@ -72,7 +72,7 @@ impl<T: Real> Vec3<T> {
         Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
     }
 
-    /// The vector divided by its length; not for the null vector.
+    /// The vector divided by its length. The vector must not be null.
     #[inline(always)]
     pub fn normalized(self) -> Self {
         self.scaled(T::new(1.0) / self.length_squared().sqrt())
@@ -91,9 +91,9 @@ impl<T: Real> Vec3<T> {
         Self::new(-self.x, -self.y, self.z)
     }
 
-    /// Rotates a vector given relative to +Z into the frame whose third axis is the unit vector
-    /// `self`. Continuous everywhere but at the south pole, where its sign convention switches:
-    /// Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3.
+    /// Rotates a vector given relative to +Z into the frame whose third axis is the unit vector `self`. The
+    /// frame is continuous except at z = 0, where its sign convention switches: Duff et al. 2017, "Building
+    /// an Orthonormal Basis, Revisited", listing 3.
     #[inline(always)]
     pub fn frame_to_world(self, local: Self) -> Self {
         let one = T::new(1.0);
@@ -112,8 +112,9 @@ impl<T: Real> Vec3<T> {
             .plus(self.scaled(local.z))
     }
 
-    /// The unit vector along this one, and whether there is one with z > 0. Scaled by its largest component
-    /// first, since the square of a large or a small number may leave the range of the type.
+    /// The unit vector along this one, and a mask of the lanes in which it exists and has z > 0. The vector
+    /// is divided by its largest component first, since the square of a large or a small number may leave
+    /// the range of the type.
     #[inline(always)]
     pub fn upward(self) -> (Self, T::Mask) {
         let zero = T::new(0.0);

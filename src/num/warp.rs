@@ -2,7 +2,7 @@
 
 use super::{PI, Real, Vec3};
 
-/// A direction with density z / pi per solid angle, z >= 0.
+/// A direction with z >= 0 and the density z / pi per solid angle.
 #[inline(always)]
 pub fn cosine_hemisphere<T: Real>(u1: T, u2: T) -> Vec3<T> {
     let radius = u1.sqrt();
@@ -14,16 +14,16 @@ pub fn cosine_hemisphere<T: Real>(u1: T, u2: T) -> Vec3<T> {
     )
 }
 
-/// Density of [`cosine_hemisphere`], per solid angle.
+/// Density of [`cosine_hemisphere`] per solid angle, for `cos_theta` >= 0.
 #[inline(always)]
 pub fn cosine_hemisphere_pdf<T: Real>(cos_theta: T) -> T {
     cos_theta * T::new(1.0 / PI)
 }
 
-/// A direction with density (e + 1) / (2 pi) z^e per solid angle, z >= 0.
+/// A direction with z >= 0 and the density (e + 1) / (2 pi) z^e per solid angle, for an exponent e >= 0.
 ///
-/// z = v^(1 / (e + 1)) with v = 1 - u1. The complement 1 - z is computed directly, by expm1, since
-/// for e = 1e5 the whole lobe lies within 1 - z < 1e-4 and z alone has lost its digits.
+/// z = v^(1 / (e + 1)) with v = 1 - u1. The complement 1 - z is computed directly, by expm1, because for e
+/// = 1e5 most of the lobe has 1 - z < 1e-4 and z alone has lost its digits.
 #[inline(always)]
 pub fn power_cosine<T: Real>(exponent: T, u1: T, u2: T) -> Vec3<T> {
     let one = T::new(1.0);
@@ -36,7 +36,7 @@ pub fn power_cosine<T: Real>(exponent: T, u1: T, u2: T) -> Vec3<T> {
     )
 }
 
-/// Factor of z^e in the density of [`power_cosine`].
+/// The factor (e + 1) / (2 pi) of z^e in the density of [`power_cosine`].
 #[inline(always)]
 pub fn power_cosine_normalization<T: Real>(exponent: T) -> T {
     (exponent + T::new(1.0)) * T::new(0.5 / PI)

@@ -1,9 +1,9 @@
-//! From spectra to colours: matching functions, whites and RGB spaces.
+//! From spectra to colours: colour-matching functions, whites and RGB spaces.
 //!
-//! A channel is a weighted mean of the spectrum over 380-780 nm. Its weight is a row of the space's
-//! matrix times the matching functions times the white's power, normalised so that a perfect mirror
-//! has 1 in every channel, for every white and space. That normalisation makes the length of a row
-//! irrelevant, and with it the space's own white point: only the primaries count.
+//! A channel is a weighted mean of the spectrum over 380-780 nm. Its weight is a row of the space's matrix
+//! times the matching functions times the power of the white, normalised so that a perfect mirror has 1 in
+//! every channel, for every white and space. Because of that normalisation the scale of a row has no
+//! effect, so the white point of the space has none either: only the primaries count.
 
 use crate::error::Error;
 
@@ -20,7 +20,7 @@ pub enum White {
 }
 
 impl White {
-    /// Every white by its name, the default first.
+    /// All whites with their names, the default first.
     pub const NAMES: [(&'static str, Self); 2] = [("E", Self::E), ("D65", Self::D65)];
 
     /// The white called "E" or "D65".
@@ -28,7 +28,8 @@ impl White {
         find("white", name, &Self::NAMES)
     }
 
-    /// Relative spectral power; D65 is linear between its 5 nm entries, as CIE 15 prescribes.
+    /// Relative spectral power at a wavelength in 380-780 nm. D65 is interpolated linearly between its 5 nm
+    /// entries, as CIE 15 prescribes.
     pub fn power(self, wavelength_nm: f64) -> f64 {
         match self {
             Self::E => 1.0,
@@ -47,14 +48,14 @@ pub enum ColorSpace {
     Rec709,
     /// ITU-R BT.2020-2.
     Rec2020,
-    /// ACEScg, the primaries AP1 of SMPTE ST 2065 / S-2014-004.
+    /// ACEScg: the primaries AP1 of S-2014-004.
     AcesCg,
     /// CIE 1931 XYZ, each channel normalised like the others.
     Xyz,
 }
 
 impl ColorSpace {
-    /// Every space by its name, the default first.
+    /// All spaces with their names, the default first.
     pub const NAMES: [(&'static str, Self); 4] = [
         ("rec709", Self::Rec709),
         ("rec2020", Self::Rec2020),
@@ -67,7 +68,7 @@ impl ColorSpace {
         find("color_space", name, &Self::NAMES)
     }
 
-    /// Chromaticities x, y of red, green and blue.
+    /// Chromaticities x, y of red, green and blue; `None` for XYZ.
     fn primaries(self) -> Option<[[f64; 2]; 3]> {
         match self {
             Self::Rec709 => Some([[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]]),
@@ -77,9 +78,9 @@ impl ColorSpace {
         }
     }
 
-    /// The rows that take XYZ to the channels, each scaled to 1 for X = Y = Z = 1.
+    /// The rows of the matrix from XYZ to the channels, each scaled so that X = Y = Z = 1 gives 1.
     ///
-    /// A channel is blind to the other two primaries, so its row is their cross product.
+    /// The other two primaries contribute nothing to a channel, so its row is their cross product.
     pub fn rows(self) -> [[f64; 3]; 3] {
         let Some(primaries) = self.primaries() else {
             return [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -99,8 +100,8 @@ impl ColorSpace {
     }
 }
 
-/// The weights of one wavelength in the three channels of a space under a white, up to the
-/// channels' normalisation.
+/// The weights of wavelengths in the three channels of a space under a white, without the normalisation of
+/// the channels.
 #[derive(Clone, Copy, Debug)]
 pub struct ChannelWeights {
     white: White,
@@ -108,7 +109,7 @@ pub struct ChannelWeights {
 }
 
 impl ChannelWeights {
-    /// For a white and a space.
+    /// The weights for a white and a space.
     pub fn new(white: White, space: ColorSpace) -> Self {
         Self {
             white,
@@ -116,7 +117,7 @@ impl ChannelWeights {
         }
     }
 
-    /// At a wavelength in 380-780 nm.
+    /// The weights of a wavelength in 380-780 nm, one per channel.
     pub fn at(&self, wavelength_nm: f64) -> [f64; 3] {
         let [x, y, z] = matching_functions(wavelength_nm);
         let power = self.white.power(wavelength_nm);
@@ -127,9 +128,9 @@ impl ChannelWeights {
 
 /// The CIE 1931 2 degree matching functions at a wavelength in 380-780 nm.
 ///
-/// Between the 5 nm entries by Sprague's polynomial of degree 5 (CIE 167:2005), which is within
-/// 4.9e-4 of the published 1 nm table where linear interpolation is off by 1.7e-2; the colours of
-/// films agree with those of the 1 nm table within 6e-5 (`tests/optics/color.rs`).
+/// Between the 5 nm entries they are interpolated by Sprague's polynomial of degree 5 (CIE 167:2005), which
+/// is within 4.9e-4 of the published 1 nm table, where linear interpolation is off by 1.7e-2. The colours
+/// of films agree with those of the 1 nm table within 6e-5 (`tests/optics/color.rs`).
 pub fn matching_functions(wavelength_nm: f64) -> [f64; 3] {
     let (row, t) = locate(wavelength_nm);
     std::array::from_fn(|i| {
@@ -138,8 +139,8 @@ pub fn matching_functions(wavelength_nm: f64) -> [f64; 3] {
     })
 }
 
-/// Between the third and fourth of six equidistant values, meeting them with two continuous
-/// derivatives: Sprague 1880, as in CIE 167:2005.
+/// Interpolates between the third and the fourth of six equidistant values, at t in [0, 1], with two
+/// continuous derivatives at the values: Sprague 1880, as in CIE 167:2005.
 fn sprague(p: [f64; 6], t: f64) -> f64 {
     let a1 = 2.0 * (p[0] - 8.0 * p[1] + 8.0 * p[3] - p[4]);
     let a2 = -p[0] + 16.0 * p[1] - 30.0 * p[2] + 16.0 * p[3] - p[4];
@@ -149,7 +150,7 @@ fn sprague(p: [f64; 6], t: f64) -> f64 {
     p[2] + t * (a1 + t * (a2 + t * (a3 + t * (a4 + t * a5)))) / 24.0
 }
 
-/// The last entry of [`OBSERVER`] at or before a wavelength, and the fraction of a step beyond it.
+/// The last entry of [`OBSERVER`] at or before a wavelength, and the distance from it in steps.
 fn locate(wavelength_nm: f64) -> (usize, f64) {
     let [first, last] = VISIBLE_NM.map(|nm| (nm - OBSERVER_FROM_NM) / OBSERVER_STEP_NM);
     let position = (wavelength_nm - OBSERVER_FROM_NM) / OBSERVER_STEP_NM;
@@ -169,8 +170,8 @@ const OBSERVER_STEP_NM: f64 = 5.0;
 /// The column of D65 in [`OBSERVER`].
 const D65: usize = 3;
 
-/// x, y, z of the CIE 1931 2 degree observer and the relative power of D65 (CIE 15), every 5 nm;
-/// the entries outside 380-780 nm serve the interpolation.
+/// x, y, z of the CIE 1931 2 degree observer and the relative power of D65 (CIE 15), every 5 nm. Entries
+/// outside 380-780 nm are there for the interpolation.
 #[rustfmt::skip]
 static OBSERVER: [[f64; 4]; 85] = [
     [0.0004149, 1.239e-05, 0.001946, 52.0891],

@@ -1,9 +1,10 @@
-//! Complex numbers over [`Real`]: what wave optics needs and no more.
+//! Complex numbers over [`Real`], with the operations that wave optics needs.
 
 use crate::num::Real;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// re + i im. Waves go as e^(i (k x - w t)), so an index eta + i k with k >= 0 absorbs.
+/// A complex number re + i im. Waves are written as e^(i (k x - w t)), so that a medium of index eta + i k
+/// with k > 0 absorbs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Complex<T> {
     /// Real part.
@@ -37,27 +38,28 @@ impl<T: Real> Complex<T> {
         self.re.squared() + self.im.squared()
     }
 
-    /// Whether both parts are equal.
+    /// Whether the numbers are equal, in both parts.
     #[inline(always)]
     pub fn equals(self, other: Self) -> T::Mask {
         self.re.equals(other.re) & self.im.equals(other.im)
     }
 
-    /// The greater of |re| and |im|: within a factor sqrt(2) of |z|, and without its underflow.
+    /// The greater of |re| and |im|. It differs from |z| by a factor sqrt(2) at most, and does not
+    /// underflow.
     #[inline(always)]
     pub fn magnitude(self) -> T {
         self.re.abs().max(self.im.abs())
     }
 
-    /// 1 / z, for |z|^2 neither overflowing nor underflowing.
+    /// 1 / z. |z|^2 must neither overflow nor underflow.
     #[inline(always)]
     pub fn inverse(self) -> Self {
         let factor = T::new(1.0) / self.norm_squared();
         Self::new(self.re * factor, -(self.im * factor))
     }
 
-    /// The root with im >= 0 (and re >= 0) of a number with im >= 0. Of the two halves of
-    /// |z| +- re, the one without cancellation is rooted, the other follows from 2 re im = im(z).
+    /// The square root with im >= 0 and re >= 0 of a number with im >= 0. Of (|z| + re) / 2 and (|z| - re)
+    /// / 2 the root of the one without cancellation is taken; the other part follows from 2 re im = im(z).
     #[inline(always)]
     pub fn sqrt_upper(self) -> Self {
         let half = T::new(0.5);

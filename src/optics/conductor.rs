@@ -1,36 +1,37 @@
-//! The reflectance of an absorbing medium without roots: for one index at many angles.
+//! The reflectance of an absorbing medium without square roots, for one index at many angles.
 
 use super::{Complex, conductor_reflectance};
 use crate::num::{Lane, PI, Real, each};
 
-/// [`conductor_reflectance`] of one index per channel, by a polynomial.
+/// [`conductor_reflectance`] for one index per channel, by a polynomial.
 ///
-/// Of q, the root of n^2 - sin^2 (Born and Wolf, "Principles of Optics", section 14.2), one part says the
-/// rest: with x = cos^2 and B = 2 Re q, |q|^2 is B^2 / 2 - Re(n^2 - 1) - x. B is a root in x with its branch
-/// point at 1 - n^2, which for metals is so far from \[0, 1\] that a polynomial of degree 4 has all the digits
-/// of single precision; so is it for glass, but not near total reflection or for indices close to 1.
+/// The real part of q, the root of n^2 - sin^2 (Born and Wolf, "Principles of Optics", section 14.2),
+/// determines the reflectance: with x = cos^2 and B = 2 Re q, |q|^2 is B^2 / 2 - Re(n^2 - 1) - x. As a
+/// function of x, B is a square root with the branch point 1 - n^2. For metals and glass this point is far
+/// enough from \[0, 1\] that a polynomial of degree 4 has all the digits of single precision; for indices
+/// below or close to 1 it is not.
 ///
-/// With u = B cos, R_s = (|q|^2 + x - u) / (|q|^2 + x + u) and
-/// R_p / R_s = (x |q|^2 + (1 - x)^2 - u (1 - x)) / (x |q|^2 + (1 - x)^2 + u (1 - x)): one quotient is their mean.
+/// With u = B cos, R_s = (|q|^2 + x - u) / (|q|^2 + x + u) and R_p / R_s = (x |q|^2 + (1 - x)^2 - u (1 -
+/// x)) / (x |q|^2 + (1 - x)^2 + u (1 - x)), so that the mean of R_s and R_p is one quotient.
 #[derive(Clone, Copy, Debug)]
 pub struct ConductorPolynomial<C> {
     /// Re(n^2 - 1)
     excess: C,
-    /// B as a polynomial of cos^2, the constant first.
+    /// The coefficients of B as a polynomial of cos^2, the constant first.
     twice_root: [C; TERMS],
 }
 
 const TERMS: usize = 5;
 
-/// Equal steps of the cosine at which a polynomial is tried.
+/// The number of equal steps of the cosine at which a polynomial is tested.
 const TRIALS: u32 = 128;
 
-/// Relative error that a polynomial may have in single precision: five units in the last place.
+/// The greatest relative error of a polynomial in single precision: five units in the last place.
 const GREATEST_ERROR: f64 = 6e-7;
 
 impl<C: Real> ConductorPolynomial<C> {
-    /// For indices eta + i k per channel; none if the polynomial's reflectance has not the digits of its
-    /// precision at some angle in some channel.
+    /// The polynomials for one index eta + i k per channel; `None` if the reflectance of a channel is off
+    /// by more than five units in the last place at some angle.
     pub fn new<T>(eta: [T; 3], k: [T; 3]) -> Option<Self>
     where
         T: Lane<Rgb = C, Scalar = T> + Into<f64>,
@@ -50,17 +51,17 @@ impl<C: Real> ConductorPolynomial<C> {
         let greatest = GREATEST_ERROR * T::EPSILON / f64::from(f32::EPSILON);
         let keeps_digits = (0..=TRIALS).all(|i| {
             let cosine = f64::from(i) / f64::from(TRIALS);
-            let found = T::channels(fitted.reflectance(T::new(cosine)));
+            let approximate = T::channels(fitted.reflectance(T::new(cosine)));
             (0..3).all(|c| {
                 let exact = conductor_reflectance(cosine, eta[c].into(), k[c].into());
-                (found[c].into() - exact).abs() <= greatest * exact
+                (approximate[c].into() - exact).abs() <= greatest * exact
             })
         });
         keeps_digits.then_some(fitted)
     }
 
-    /// For `cos_theta` in \[0, 1\]. The coefficients stay in memory until they are needed: there are more of
-    /// them than registers.
+    /// The reflectance of unpolarised light for `cos_theta` in \[0, 1\]. Each coefficient is loaded where
+    /// it is used, because there are more of them than registers.
     #[inline(always)]
     pub fn reflectance<T, L>(&self, cos_theta: L) -> L::Rgb
     where
@@ -84,7 +85,7 @@ impl<C: Real> ConductorPolynomial<C> {
 }
 
 impl ConductorPolynomial<f64> {
-    /// Meets B at the zeros of Chebyshev's polynomial, by Newton's divided differences.
+    /// Interpolates B at the zeros of Chebyshev's polynomial, by Newton's divided differences.
     fn fitted(eta: f64, k: f64) -> Self {
         let excess = Complex::new((eta - 1.0) * (eta + 1.0) - k * k, 2.0 * eta * k);
         let nodes: [f64; TERMS] = std::array::from_fn(|i| {
@@ -98,7 +99,7 @@ impl ConductorPolynomial<f64> {
                     (differences[i] - differences[i - 1]) / (nodes[i] - nodes[i - order]);
             }
         }
-        // Horner's scheme over (x - node) multiplied out.
+        // Newton's form is multiplied out to powers of x by Horner's scheme.
         let mut twice_root = [0.0; TERMS];
         for (difference, node) in differences.iter().zip(nodes).rev() {
             for power in (1..TERMS).rev() {
@@ -117,8 +118,8 @@ impl ConductorPolynomial<f64> {
 mod tests {
     use super::*;
 
-    /// Where a polynomial is made it agrees with the exact formula between the angles at which it was tried
-    /// too; it is made for metals and for glass, not for total reflection or nearly equal indices.
+    /// A polynomial agrees with the exact formula between the angles at which it was tested too. There is
+    /// one for metals and glass, but not for total reflection and nearly equal indices.
     #[test]
     fn a_polynomial_agrees_with_the_roots_or_is_not_made() {
         let made = |eta: f32, k: f32| ConductorPolynomial::new([eta; 3], [k; 3]);

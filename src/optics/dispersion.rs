@@ -1,25 +1,25 @@
 //! The complex index of a medium as a function of wavelength.
 
-use super::media::Named;
+use super::media::NamedMedium;
 use super::{Complex, RGB_WAVELENGTHS_NM};
 use crate::error::Error;
 
-/// Allowed eta in a caller's numbers. The least is far below any metal's and keeps the permittivity
-/// away from 0, where p-polarised fields have no bound.
+/// The range of eta that a caller may give. The least value is far below that of any metal and keeps the
+/// permittivity away from 0, where p-polarised fields are unbounded.
 const ETA_RANGE: [f64; 2] = [1e-3, 1e3];
-/// Allowed k in a caller's numbers.
+/// The range of k that a caller may give.
 const K_RANGE: [f64; 2] = [0.0, 1e3];
-/// Allowed eta of the medium that light arrives in.
+/// The range of eta of an ambient medium.
 const AMBIENT_ETA_RANGE: [f64; 2] = [1.0, 1e3];
 
-/// A homogeneous medium; its index eta + i k, k >= 0, relative to vacuum.
+/// A homogeneous medium with the complex index eta + i k, k >= 0, relative to vacuum.
 #[derive(Clone, Debug)]
 pub struct Medium(Kind);
 
 #[derive(Clone, Debug)]
 enum Kind {
-    Named(&'static Named),
-    /// At [`RGB_WAVELENGTHS_NM`], with the wavelengths' inverse squares descending there.
+    Named(&'static NamedMedium),
+    /// The indices at [`RGB_WAVELENGTHS_NM`].
     Rgb([Complex<f64>; 3]),
     Table {
         lambda_nm: Box<[f64]>,
@@ -28,27 +28,28 @@ enum Kind {
 }
 
 impl Medium {
-    /// eta = 1, k = 0.
+    /// Vacuum: eta = 1, k = 0.
     pub fn vacuum() -> Self {
         Self(Kind::Rgb([Complex::real(1.0); 3]))
     }
 
-    /// A medium of [`Named::all`] by its name or an alias; upper and lower case are alike.
+    /// The medium of that name or alias, such as "Au" or "gold"; upper and lower case are alike.
+    /// [`NamedMedium::all`] lists the media and the sources of their data.
     pub fn named(name: &str) -> Result<Self, Error> {
         let names = || {
-            Named::all()
+            NamedMedium::all()
                 .iter()
                 .flat_map(|m| std::iter::once(m.name).chain(m.aliases.iter().copied()))
         };
-        Named::find(name)
+        NamedMedium::find(name)
             .map(|named| Self(Kind::Named(named)))
             .ok_or_else(|| Error::unknown("medium", name, names()))
     }
 
-    /// Three values each for 645, 525 and 445 nm; eta in [1e-3, 1e3], k in [0, 1e3].
+    /// A medium given by eta in [1e-3, 1e3] and k in [0, 1e3] at 645, 525 and 445 nm.
     ///
-    /// Linear in 1 / lambda^2 between them, the first terms of Cauchy's formula, and constant
-    /// outside. Three equal values are a constant.
+    /// Between these wavelengths the index is linear in 1 / lambda^2, the first two terms of Cauchy's
+    /// formula; outside it is constant.
     pub fn rgb(eta: [f64; 3], k: [f64; 3]) -> Result<Self, Error> {
         check("eta", &eta, ETA_RANGE)?;
         check("k", &k, K_RANGE)?;
@@ -57,8 +58,8 @@ impl Medium {
         }))))
     }
 
-    /// Measured values at ascending wavelengths (nm): linear between them, constant outside.
-    /// Ranges as in [`Medium::rgb`].
+    /// A medium given by eta and k, in the ranges of [`Medium::rgb`], at ascending wavelengths in [1, 1e6]
+    /// nm. Between these wavelengths the index is linear; outside it is constant.
     pub fn table(lambda_nm: &[f64], eta: &[f64], k: &[f64]) -> Result<Self, Error> {
         let (count, counts) = (lambda_nm.len(), [eta.len(), k.len()]);
         if count == 0 || counts != [count; 2] {
@@ -90,7 +91,7 @@ impl Medium {
         }))
     }
 
-    /// The complex index at a vacuum wavelength.
+    /// The complex index at a vacuum wavelength, nm.
     pub fn index(&self, wavelength_nm: f64) -> Complex<f64> {
         match &self.0 {
             Kind::Named(named) => named.index(wavelength_nm),
@@ -123,7 +124,7 @@ impl Medium {
         }
     }
 
-    /// Whether k > 0 somewhere in the visible range, or in the caller's numbers.
+    /// Whether k > 0 at some visible wavelength or, for a medium that a caller gave, in any of the numbers.
     pub fn absorbs(&self) -> bool {
         match &self.0 {
             Kind::Named(named) => named.absorbs(),
@@ -132,7 +133,7 @@ impl Medium {
         }
     }
 
-    /// That light can arrive in this medium from far away: k = 0 and eta >= 1.
+    /// Checks that the medium can be an ambient medium: k = 0 and eta >= 1.
     pub fn check_ambient(&self) -> Result<(), Error> {
         if self.absorbs() {
             return Err(Error::out_of_range(
@@ -140,7 +141,7 @@ impl Medium {
             ));
         }
         match &self.0 {
-            Kind::Named(_) => Ok(()), // every transparent one has eta >= 1
+            Kind::Named(_) => Ok(()), // every transparent named medium has eta >= 1
             Kind::Rgb(index) => check_ambient_eta(index),
             Kind::Table { index, .. } => check_ambient_eta(index),
         }
@@ -166,7 +167,7 @@ fn inverse_square(wavelength_nm: f64) -> f64 {
     1.0 / (wavelength_nm * wavelength_nm)
 }
 
-/// a + (b - a) t with t held in [0, 1]: exactly a for a = b.
+/// a + (b - a) t with t clamped to [0, 1]; exactly a for a = b.
 fn mix(a: Complex<f64>, b: Complex<f64>, t: f64) -> Complex<f64> {
     a + (b - a).scaled(t.clamp(0.0, 1.0))
 }

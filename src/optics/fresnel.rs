@@ -1,4 +1,4 @@
-//! Fresnel reflectance of one interface, exact and in Schlick's approximation.
+//! The Fresnel reflectance of one interface, exact and by Schlick's approximation.
 
 use super::Complex;
 use crate::num::Real;
@@ -29,9 +29,10 @@ pub fn schlick_transmittance<T: Real>(f0: T, cos_theta: T) -> T {
     (one - f0) * (one - (one - cos_theta).pow5())
 }
 
-/// Reflectance of unpolarised light for `cos_theta` in [0, 1] on the outside, `eta` > 0 the index
-/// inside over that outside; 1 beyond the critical angle, and 0 for equal indices. Fresnel 1823, with
-/// q = eta cos(angle inside) from q^2 = (eta - 1)(eta + 1) + cos^2, which has no cancellation.
+/// Reflectance of unpolarised light. `cos_theta`, in [0, 1], is the cosine outside, and `eta` > 0 is the
+/// index inside over that outside. The result is 1 beyond the critical angle and 0 for equal indices.
+/// Fresnel 1823, with q = eta cos(angle inside) from q^2 = (eta - 1)(eta + 1) + cos^2, which has no
+/// cancellation.
 #[inline(always)]
 pub fn dielectric_reflectance<T: Real>(cos_theta: T, eta: T) -> T {
     let (zero, half, one) = (T::new(0.0), T::new(0.5), T::new(1.0));
@@ -47,12 +48,12 @@ pub fn dielectric_reflectance<T: Real>(cos_theta: T, eta: T) -> T {
     T::select(is_matched, zero, reflectance)
 }
 
-/// Reflectance of unpolarised light from vacuum, `cos_theta` in [0, 1], on a medium of index
+/// Reflectance of unpolarised light that arrives from vacuum at `cos_theta` in [0, 1] on a medium of index
 /// eta + i k, eta > 0 and k >= 0: Born and Wolf, "Principles of Optics", section 14.2. With k = 0 it is
 /// [`dielectric_reflectance`].
 ///
-/// q = n cos(angle inside) from q^2 = n^2 - sin^2, whose real part is (eta - 1)(eta + 1) - k^2 + cos^2:
-/// no cancellation for indices close to 1.
+/// q = n cos(angle inside) follows from q^2 = n^2 - sin^2, whose real part is computed as (eta - 1)(eta +
+/// 1) - k^2 + cos^2, without cancellation for indices close to 1.
 #[inline(always)]
 pub fn conductor_reflectance<T: Real>(cos_theta: T, eta: T, k: T) -> T {
     let (zero, half, one) = (T::new(0.0), T::new(0.5), T::new(1.0));
@@ -63,7 +64,7 @@ pub fn conductor_reflectance<T: Real>(cos_theta: T, eta: T, k: T) -> T {
     let q = (excess + Complex::real(cos_theta.squared())).sqrt_upper();
     let is_matched = excess.equals(Complex::real(zero));
     let along = (excess + Complex::real(one)).scaled(cos_theta);
-    // |(cos - q) / (cos + q)|^2 and the same of n^2 cos, over one divisor.
+    // The mean of |(cos - q) / (cos + q)|^2 and |(n^2 cos - q) / (n^2 cos + q)|^2, over one divisor.
     let across = Complex::real(cos_theta);
     let [upper, lower] = [(across - q).norm_squared(), (across + q).norm_squared()];
     let [upper_p, lower_p] = [(along - q).norm_squared(), (along + q).norm_squared()];
@@ -78,8 +79,8 @@ mod tests {
 
     const ETAS: [f64; 7] = [0.4, 1.0 / 1.5, 0.99, 1.01, 1.33, 1.5, 4.0];
 
-    /// Textbook values: ((eta - 1) / (eta + 1))^2 at normal incidence; at Brewster's angle, tan = eta,
-    /// only s is reflected, with the amplitude (1 - eta^2) / (1 + eta^2); everything at grazing angles.
+    /// Textbook values: ((eta - 1) / (eta + 1))^2 at normal incidence; at Brewster's angle, tan = eta, only
+    /// s is reflected, with the amplitude (1 - eta^2) / (1 + eta^2); at grazing angles R = 1.
     #[test]
     fn dielectric_reflectance_has_textbook_values() {
         for eta in ETAS {
@@ -96,7 +97,7 @@ mod tests {
         assert!((dielectric_reflectance(0.5, 1.5f64) - 0.089_18).abs() < 1e-4);
     }
 
-    /// From the denser side all light returns beyond the critical angle, sin = eta, and only there.
+    /// From the denser side R = 1 beyond the critical angle, sin = eta, and only there.
     #[test]
     fn total_reflection_begins_at_the_critical_angle() {
         for eta in ETAS.into_iter().filter(|eta| *eta < 1.0) {
@@ -106,13 +107,13 @@ mod tests {
             }
             let single = dielectric_reflectance(0.999 * critical as f32, eta as f32);
             assert_eq!(single, 1.0);
-            // It falls like a square root from there.
+            // R falls from there like a square root.
             let found = dielectric_reflectance(critical * (1.0 + 1e-8), eta);
             assert!(found < 1.0 && found > 0.99, "{eta} {found}");
         }
     }
 
-    /// Equal indices reflect nothing, even along the surface, where the amplitudes are 0 / 0.
+    /// Equal indices reflect nothing, even at the cosine 0, where the amplitudes are 0 / 0.
     #[test]
     fn equal_indices_reflect_nothing() {
         for c in [0.0, f64::MIN_POSITIVE, 1e-200, 1e-9, 0.5, 1.0] {
@@ -121,7 +122,8 @@ mod tests {
         }
     }
 
-    /// Single precision keeps its digits: neither indices close to 1 nor grazing angles cancel.
+    /// Single precision keeps its digits: there is no cancellation for indices close to 1 or at grazing
+    /// angles.
     #[test]
     fn single_precision_is_close_to_double() {
         for eta in ETAS.map(|eta| eta as f32) {
@@ -143,8 +145,8 @@ mod tests {
         }
     }
 
-    /// At normal incidence ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2); everything at grazing angles;
-    /// without absorption the dielectric's values, total reflection included.
+    /// At normal incidence R = ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2); at grazing angles R = 1; without
+    /// absorption R is that of the dielectric, total reflection included.
     #[test]
     fn conductor_reflectance_has_textbook_values() {
         for eta in ETAS {
@@ -171,7 +173,7 @@ mod tests {
         assert_eq!(conductor_reflectance(0.0, 1.0, 0.0), 0.0);
     }
 
-    /// In single precision, over everything that the models accept.
+    /// The error in single precision, over the ranges that the models accept.
     #[test]
     fn conductor_reflectance_keeps_its_digits() {
         for eta in [0.01, 0.2, 0.999, 1.0, 1.001, 1.5, 10.0f32] {

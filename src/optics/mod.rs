@@ -1,5 +1,5 @@
-//! Optics: one interface (Fresnel reflectance, refraction), media and their complex indices, layers
-//! by wave optics, and colour from spectra.
+//! Optics: one interface (Fresnel reflectance, refraction), media and their complex indices, stacks of
+//! layers by wave optics, and colours from spectra.
 
 mod color;
 mod complex;
@@ -9,7 +9,9 @@ mod fresnel;
 mod media;
 mod reference;
 mod refraction;
+mod spectral_sums;
 pub mod stack;
+mod waves;
 
 pub use color::{ChannelWeights, ColorSpace, VISIBLE_NM, White, matching_functions};
 pub use complex::Complex;
@@ -19,7 +21,7 @@ pub use fresnel::{
     conductor_reflectance, dielectric_reflectance, normal_reflectance, schlick, schlick_between,
     schlick_transmittance,
 };
-pub use media::Named;
+pub use media::NamedMedium;
 pub use reference::{Converged, Reference, TOLERANCE};
 pub use refraction::Interface;
 

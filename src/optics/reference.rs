@@ -1,81 +1,81 @@
-//! The colour of a stack by wave optics, integrated over the spectrum until it no longer changes:
-//! what every other method is compared with.
+//! The colour of a stack by wave optics, integrated over the spectrum until it converges. All other methods
+//! are compared with it.
 //!
-//! The trapezoid rule is trusted only where the spectrum is resolved, so the integration has two
-//! parts. First a grid is found on which neighbouring samples cannot hide anything between them: its
-//! step is a quarter of the narrowest fringe that the optical paths allow, and an interval across
-//! which the denominator of R (see [`stack`](super::stack)) turns or changes by more than its own
-//! size is halved again, since a resonance lies there or nearby, at grazing angles often a thousand
-//! times narrower than the fringe. Then every interval is halved until that changes no channel by
-//! more than [`TOLERANCE`].
+//! The trapezoid rule converges only once the samples resolve the spectrum, so the integration has two
+//! parts. The first finds a grid that resolves it: the step is a quarter of the narrowest fringe that the
+//! optical paths allow, and an interval is halved again where the denominator of R (see
+//! [`stack`](super::stack)) changes across it by more than its own magnitude, because a resonance is there
+//! or nearby, at grazing angles often a thousand times narrower than the fringe. The second halves every
+//! interval until that changes no channel by more than [`TOLERANCE`].
 
 use super::color::{ChannelWeights, ColorSpace, VISIBLE_NM, White};
+use super::spectral_sums::{SpectrumNode, Sums};
 use super::stack::{Incidence, Layer, P, Response, S, Side, Stack};
 use super::{Complex, Medium};
 use crate::error::Error;
 use crate::num::{PI, Rgb};
 
-/// The greatest change of a channel at the last halving of the step.
+/// The greatest change of a channel at the last halving of the intervals.
 pub const TOLERANCE: f64 = 1e-5;
-/// The first step, nm; finer ones are its binary fractions.
+/// The coarsest step, nm. Finer steps are this one divided by a power of 2.
 const STEP_NM: f64 = 5.0;
 const STEPS: usize = 80;
-/// Indices and weights are kept for every 5 / 2^3 nm.
-const KEPT_PER_STEP: usize = 8;
-/// The uniform part of the grid has at most 80 * 2^14 intervals (fringes down to 1.2e-3 nm).
+/// Indices and weights are stored for every 5 / 2^3 nm.
+const STORED_PER_STEP: usize = 8;
+/// The uniform grid has at most 80 * 2^14 intervals, which resolves fringes down to 1.2e-3 nm.
 const MAX_LEVEL: u32 = 14;
-/// An interval narrower than this holds less than 1e-7 of any channel.
+/// An interval narrower than this has less than 1e-7 of the weight of any channel.
 const MIN_WIDTH_NM: f64 = 5e-6;
-/// No further halving after so many samples (about a second).
+/// Halving stops after this number of samples (about a second).
 const MAX_SAMPLES: usize = 1 << 23;
 const SAMPLES_PER_FRINGE: f64 = 4.0;
-/// The trapezoid rule converges much faster with equal steps: they are preferred unless they take
-/// more than so many times as many.
+/// The trapezoid rule converges much faster with equal steps. They are used unless they take more than this
+/// factor times the intervals of the graded grid.
 const UNIFORM_WITHIN: usize = 16;
-/// A layer behind which the light has lost all but this part shows no fringes.
+/// A layer that less than this fraction of the light crosses shows no fringes.
 const OPAQUE: f64 = 1e-7;
 
-/// A stack of media, ready to be evaluated at any thickness and angle.
+/// A stack of media, prepared for any thicknesses and angle.
 ///
-/// Cost, on one core of a 2020s server: 25 microseconds for one film of 300 nm (160 samples of 140
-/// ns), 160 to 400 for five layers of together 3 micrometres (450 ns a sample), 2 milliseconds for a
-/// film of 100 micrometres; proportional to the number of layers and, beyond a few micrometres, to
-/// the optical path, with more samples towards grazing angles. Evaluation allocates.
-/// `cargo bench --bench reference` measures it.
+/// Cost of an evaluation on one core of a 2020s server: 25 microseconds for one film of 300 nm (160 samples
+/// of 140 ns each), 160 to 400 microseconds for five layers of 3 micrometres in all (450 ns a sample), 2
+/// milliseconds for a film of 100 micrometres. It is proportional to the number of layers and, beyond a few
+/// micrometres, to the optical path, with more samples towards grazing angles. Evaluation allocates. `cargo
+/// bench --bench reference` measures the cost.
 #[derive(Clone, Debug)]
 pub struct Reference {
     ambient: Medium,
     layers: Vec<Medium>,
     base: Medium,
     weights: ChannelWeights,
-    kept: Vec<Kept>,
-    /// Per kept wavelength: ambient, layers, base.
-    kept_index: Vec<Complex<f64>>,
+    stored: Vec<StoredWavelength>,
+    /// The indices of ambient, layers and base at each stored wavelength.
+    stored_indices: Vec<Complex<f64>>,
 }
 
-/// What is known in advance at one wavelength.
+/// A stored wavelength and its weights in the channels.
 #[derive(Clone, Copy, Debug)]
-struct Kept {
+struct StoredWavelength {
     wavelength_nm: f64,
     weights: [f64; 3],
 }
 
-/// A colour, and how it was reached.
+/// A colour, and how well it converged.
 #[derive(Clone, Copy, Debug)]
 pub struct Converged {
-    /// Reflectance of unpolarised light per channel, not clipped: real films leave [0, 1].
+    /// Reflectance of unpolarised light per channel, not clipped: it may be outside [0, 1].
     pub reflectance: Rgb<f64>,
-    /// Transmittance into the far half-space, likewise.
+    /// Transmittance into the far half-space, per channel and not clipped.
     pub transmittance: Rgb<f64>,
-    /// The greatest change of a channel at the last halving: at most [`TOLERANCE`], unless the
-    /// optical path is so long (centimetres) that the samples ran out.
+    /// The greatest change of a channel at the last halving. It is at most [`TOLERANCE`], unless the
+    /// optical path is so long (centimetres) that the limit of samples was reached.
     pub change: f64,
-    /// How many wavelengths were evaluated.
+    /// The number of wavelengths that were evaluated.
     pub samples: usize,
 }
 
 impl Reference {
-    /// Prepares a stack: layers from the ambient medium inwards; the ambient must be transparent.
+    /// Prepares a stack. The layers are given from the ambient medium inwards.
     pub fn new(
         ambient: Medium,
         layers: Vec<Medium>,
@@ -85,40 +85,41 @@ impl Reference {
     ) -> Result<Self, Error> {
         ambient.check_ambient()?;
         let weights = ChannelWeights::new(white, space);
-        let count = STEPS * KEPT_PER_STEP + 1;
-        let mut kept = Error::reserve(count, "the reference's wavelengths")?;
-        let mut kept_index = Error::reserve(count * (layers.len() + 2), "the reference's indices")?;
+        let count = STEPS * STORED_PER_STEP + 1;
+        let mut stored = Error::reserve(count, "the reference's wavelengths")?;
+        let mut stored_indices =
+            Error::reserve(count * (layers.len() + 2), "the reference's indices")?;
         for i in 0..count {
-            let wavelength_nm = VISIBLE_NM[0] + i as f64 * STEP_NM / KEPT_PER_STEP as f64;
-            kept.push(Kept {
+            let wavelength_nm = VISIBLE_NM[0] + i as f64 * STEP_NM / STORED_PER_STEP as f64;
+            stored.push(StoredWavelength {
                 wavelength_nm,
                 weights: weights.at(wavelength_nm),
             });
             let media = std::iter::once(&ambient)
                 .chain(&layers)
                 .chain(std::iter::once(&base));
-            kept_index.extend(media.map(|medium| medium.index(wavelength_nm)));
+            stored_indices.extend(media.map(|medium| medium.index(wavelength_nm)));
         }
         Ok(Self {
             ambient,
             layers,
             base,
             weights,
-            kept,
-            kept_index,
+            stored,
+            stored_indices,
         })
     }
 
-    /// How many layers there are.
+    /// The number of layers.
     pub fn layer_count(&self) -> usize {
         self.layers.len()
     }
 
-    /// R and T per channel for unpolarised light at a cosine in [0, 1], measured in the half-space
-    /// that the light comes from, and one thickness >= 0 (nm) per layer.
+    /// R and T per channel for unpolarised light at a cosine in [0, 1], measured in the half-space that the
+    /// light comes from, for one thickness >= 0 (nm) per layer.
     ///
     /// # Panics
-    /// If there are not as many thicknesses as layers.
+    /// If the number of thicknesses is not that of the layers.
     pub fn evaluate(&self, side: Side, cos_theta: f64, thickness_nm: &[f64]) -> Converged {
         Integration::new(self, side, cos_theta, thickness_nm).converge()
     }
@@ -135,47 +136,30 @@ impl Reference {
         integration.respond(wavelength_nm, None).0
     }
 
-    /// Where a wavelength is kept, if it is.
-    fn kept_at(&self, wavelength_nm: f64) -> Option<usize> {
-        let position = (wavelength_nm - VISIBLE_NM[0]) * (KEPT_PER_STEP as f64 / STEP_NM);
-        (position == position.trunc() && (0.0..self.kept.len() as f64).contains(&position))
+    /// The number of a stored wavelength; `None` if the wavelength is not stored.
+    fn stored_at(&self, wavelength_nm: f64) -> Option<usize> {
+        let position = (wavelength_nm - VISIBLE_NM[0]) * (STORED_PER_STEP as f64 / STEP_NM);
+        (position == position.trunc() && (0.0..self.stored.len() as f64).contains(&position))
             .then_some(position as usize)
     }
 
-    /// The indices of ambient, layers and base at a kept wavelength.
-    fn indices_at(&self, kept: usize) -> &[Complex<f64>] {
+    /// The indices of ambient, layers and base at a stored wavelength.
+    fn indices_at(&self, stored: usize) -> &[Complex<f64>] {
         let media = self.layers.len() + 2;
-        &self.kept_index[kept * media..(kept + 1) * media]
+        &self.stored_indices[stored * media..(stored + 1) * media]
     }
 }
 
-/// One evaluation under way.
+/// The state of one evaluation.
 struct Integration<'a> {
     reference: &'a Reference,
     side: Side,
     cos_theta: f64,
-    /// The layers, with the indices of the wavelength at hand.
+    /// The layers, with the indices at the wavelength last evaluated.
     layers: Vec<Layer<f64>>,
-    /// Resolved intervals: start and width.
+    /// Start and width of the resolved intervals, nm.
     intervals: Vec<(f64, f64)>,
     samples: usize,
-}
-
-/// The spectrum at one wavelength.
-#[derive(Clone, Copy)]
-struct Sample {
-    weights: [f64; 3],
-    reflectance: f64,
-    transmittance: f64,
-    poles: [Complex<f64>; 2],
-}
-
-/// Integrals of the weights, alone and times R and T.
-#[derive(Clone, Copy, Default)]
-struct Sums {
-    white: [f64; 3],
-    reflectance: [f64; 3],
-    transmittance: [f64; 3],
 }
 
 impl<'a> Integration<'a> {
@@ -202,18 +186,18 @@ impl<'a> Integration<'a> {
 
     fn converge(mut self) -> Converged {
         let mut sums = self.resolve();
-        let mut found = sums.colors();
+        let mut colors = sums.colors();
         let mut parts = 1;
         loop {
             let midpoints = self.midpoints(parts);
             parts *= 2;
             sums = sums.halved(&midpoints);
             let finer = sums.colors();
-            let changes = found.as_flattened().iter().zip(finer.as_flattened());
+            let changes = colors.as_flattened().iter().zip(finer.as_flattened());
             let change = changes.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            found = finer;
+            colors = finer;
             if change <= TOLERANCE || self.samples >= MAX_SAMPLES {
-                let ([reflectance, transmittance], samples) = (found, self.samples);
+                let ([reflectance, transmittance], samples) = (colors, self.samples);
                 return Converged {
                     reflectance,
                     transmittance,
@@ -224,7 +208,7 @@ impl<'a> Integration<'a> {
         }
     }
 
-    /// Finds the grid, and the integrals by the trapezoid rule on it.
+    /// Finds the grid and the integrals by the trapezoid rule on it.
     fn resolve(&mut self) -> Sums {
         let fringes_per_nm = self.fringes_per_nm();
         let level = (fringes_per_nm * SAMPLES_PER_FRINGE * STEP_NM)
@@ -244,7 +228,8 @@ impl<'a> Integration<'a> {
         self.grid(finest, false)
     }
 
-    /// A grid of steps of 5 / 2^level nm, halved further where a resonance demands it if `graded`.
+    /// Makes a grid with steps of 5 / 2^level nm. If `graded`, intervals near resonances are halved
+    /// further.
     fn grid(&mut self, level: u32, graded: bool) -> Sums {
         let width = STEP_NM / f64::from(1 << level);
         let mut sums = Sums::default();
@@ -256,29 +241,44 @@ impl<'a> Integration<'a> {
             if graded {
                 self.divide(start, width, &left, &right, &mut sums);
             } else {
-                self.keep(start, width, &left, &right, &mut sums);
+                self.accept(start, width, &left, &right, &mut sums);
             }
             left = right;
         }
         sums
     }
 
-    fn keep(&mut self, start: f64, width: f64, left: &Sample, right: &Sample, sums: &mut Sums) {
+    fn accept(
+        &mut self,
+        start: f64,
+        width: f64,
+        left: &SpectrumNode,
+        right: &SpectrumNode,
+        sums: &mut Sums,
+    ) {
         sums.add(left, 0.5 * width);
         sums.add(right, 0.5 * width);
         self.intervals.push((start, width));
     }
 
-    /// Keeps an interval if the denominators change across it by less than their size.
-    fn divide(&mut self, start: f64, width: f64, left: &Sample, right: &Sample, sums: &mut Sums) {
+    /// Accepts an interval if the denominators change across it by less than their magnitude, and halves it
+    /// otherwise.
+    fn divide(
+        &mut self,
+        start: f64,
+        width: f64,
+        left: &SpectrumNode,
+        right: &SpectrumNode,
+        sums: &mut Sums,
+    ) {
         let is_resolved = [S, P].into_iter().all(|pol| {
             let (a, b) = (left.poles[pol], right.poles[pol]);
-            // Not a number, where the fields' scale has overflowed, counts as resolved.
+            // NaN, which occurs where the scale of the fields has overflowed, counts as resolved.
             let is_wide = (a - b).norm_squared() > a.norm_squared().min(b.norm_squared());
             !is_wide
         });
         if is_resolved || width < MIN_WIDTH_NM || self.samples >= MAX_SAMPLES {
-            self.keep(start, width, left, right, sums);
+            self.accept(start, width, left, right, sums);
         } else {
             let half = 0.5 * width;
             let middle = self.sample(start + half);
@@ -287,7 +287,7 @@ impl<'a> Integration<'a> {
         }
     }
 
-    /// The midpoint rule with every interval in so many parts.
+    /// The midpoint rule with every interval divided into `parts`.
     fn midpoints(&mut self, parts: usize) -> Sums {
         let mut sums = Sums::default();
         let intervals = std::mem::take(&mut self.intervals);
@@ -302,15 +302,15 @@ impl<'a> Integration<'a> {
         sums
     }
 
-    fn sample(&mut self, wavelength_nm: f64) -> Sample {
-        let kept = self.reference.kept_at(wavelength_nm);
-        let weights = match kept {
-            Some(kept) => self.reference.kept[kept].weights,
+    fn sample(&mut self, wavelength_nm: f64) -> SpectrumNode {
+        let stored = self.reference.stored_at(wavelength_nm);
+        let weights = match stored {
+            Some(stored) => self.reference.stored[stored].weights,
             None => self.reference.weights.at(wavelength_nm),
         };
-        let (response, poles) = self.respond(wavelength_nm, kept);
+        let (response, poles) = self.respond(wavelength_nm, stored);
         self.samples += 1;
-        Sample {
+        SpectrumNode {
             weights,
             reflectance: response.unpolarized_reflectance(),
             transmittance: response.unpolarized_transmittance(),
@@ -321,12 +321,12 @@ impl<'a> Integration<'a> {
     fn respond(
         &mut self,
         wavelength_nm: f64,
-        kept: Option<usize>,
+        stored: Option<usize>,
     ) -> (Response<f64>, [Complex<f64>; 2]) {
         let reference = self.reference;
-        let (ambient, base) = match kept {
-            Some(kept) => {
-                let indices = reference.indices_at(kept);
+        let (ambient, base) = match stored {
+            Some(stored) => {
+                let indices = reference.indices_at(stored);
                 for (layer, index) in self.layers.iter_mut().zip(&indices[1..]) {
                     layer.index = *index;
                 }
@@ -350,26 +350,26 @@ impl<'a> Integration<'a> {
         stack.respond_with_poles(self.side, self.cos_theta, wavelength_nm)
     }
 
-    /// The greatest number of fringes per nanometre: how fast the phase 2 q d / lambda, in turns,
-    /// of all layers together changes with the wavelength, dispersion included.
+    /// The greatest number of fringes per nanometre of wavelength: the greatest rate at which the sum over
+    /// the layers of the phase 2 q d / lambda, in turns, changes with the wavelength, dispersion included.
     fn fringes_per_nm(&self) -> f64 {
-        let probes = (0..STEPS * KEPT_PER_STEP).step_by(32); // every 20 nm
+        let probes = (0..STEPS * STORED_PER_STEP).step_by(32); // every 20 nm
         probes
-            .map(|kept| self.fringes_per_nm_at(kept))
+            .map(|stored| self.fringes_per_nm_at(stored))
             .fold(0.0, f64::max)
     }
 
-    fn fringes_per_nm_at(&self, kept: usize) -> f64 {
+    fn fringes_per_nm_at(&self, stored: usize) -> f64 {
         let reference = self.reference;
-        let ends = [kept, kept + 1].map(|kept| {
-            let indices = reference.indices_at(kept);
+        let ends = [stored, stored + 1].map(|stored| {
+            let indices = reference.indices_at(stored);
             let near = if self.side == Side::Ambient {
                 0
             } else {
                 indices.len() - 1
             };
             let incidence = Incidence::new(indices[near].re, self.cos_theta);
-            (indices, incidence, reference.kept[kept].wavelength_nm)
+            (indices, incidence, reference.stored[stored].wavelength_nm)
         });
         let (mut turns, mut light) = (0.0, 1.0);
         for step in 0..self.layers.len() {
@@ -380,7 +380,7 @@ impl<'a> Integration<'a> {
             let [a, b] = ends.map(|(indices, incidence, wavelength_nm)| {
                 incidence.wave(indices[layer + 1]).immittance[S].scaled(1.0 / wavelength_nm)
             });
-            // Only as deep as light gets.
+            // Thickness that no light reaches adds no fringes.
             let extinction = 4.0 * PI * a.im;
             let depth_nm = (light / OPAQUE).ln() / extinction.max(f64::MIN_POSITIVE);
             let thickness_nm = self.layers[layer].thickness_nm.min(depth_nm);
@@ -391,32 +391,5 @@ impl<'a> Integration<'a> {
             }
         }
         turns / (ends[1].2 - ends[0].2)
-    }
-}
-
-impl Sums {
-    fn add(&mut self, sample: &Sample, width: f64) {
-        for c in 0..3 {
-            let weight = sample.weights[c] * width;
-            self.white[c] += weight;
-            self.reflectance[c] += weight * sample.reflectance;
-            self.transmittance[c] += weight * sample.transmittance;
-        }
-    }
-
-    /// The trapezoid rule after halving every interval, from that before and the midpoint rule.
-    fn halved(&self, midpoints: &Self) -> Self {
-        let mean = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|c| 0.5 * (a[c] + b[c]));
-        Self {
-            white: mean(self.white, midpoints.white),
-            reflectance: mean(self.reflectance, midpoints.reflectance),
-            transmittance: mean(self.transmittance, midpoints.transmittance),
-        }
-    }
-
-    /// Reflectance and transmittance, both 1 for a mirror and for nothing at all.
-    fn colors(&self) -> [[f64; 3]; 2] {
-        [self.reflectance, self.transmittance]
-            .map(|sum| std::array::from_fn(|c| sum[c] / self.white[c]))
     }
 }

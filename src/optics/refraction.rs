@@ -2,18 +2,18 @@
 
 use crate::num::{Lane, Real, Vec3};
 
-/// The interface between an outer medium (z > 0) and an inner one, both transparent.
+/// The interface between an outer medium (z > 0) and an inner one (z < 0), both transparent.
 #[derive(Clone, Copy, Debug)]
 pub struct Interface<T> {
-    /// Outer index over inner index, r0 / r1.
+    /// The outer index over the inner index, r0 / r1.
     ratio: T,
     /// 1 - ratio^2: negative where total reflection is possible from outside.
     complement: T,
 }
 
 impl<T: Real> Interface<T> {
-    /// Between two indices > 0. The complement is formed from their difference, so that it keeps
-    /// its digits when they are nearly equal.
+    /// The interface between two indices > 0. The complement is computed from their difference, so that it
+    /// keeps its digits when they are nearly equal.
     #[inline(always)]
     pub fn new(eta_outside: T, eta_inside: T) -> Self {
         let ratio = eta_outside / eta_inside;
@@ -22,13 +22,14 @@ impl<T: Real> Interface<T> {
         Self { ratio, complement }
     }
 
-    /// Ratio of solid angles, cos_o dw_o = (r1 / r0)^2 cos_i dw_i: this is (r0 / r1)^2.
+    /// (r0 / r1)^2, the factor of projected solid angles from outside to inside: cos_i dw_i = (r0 / r1)^2
+    /// cos_o dw_o.
     #[inline(always)]
     pub fn ratio_squared(&self) -> T {
         self.ratio.squared()
     }
 
-    /// Squared cosine of the critical angle inside, 0 if every inner direction can leave.
+    /// The squared cosine of the critical angle inside; 0 if every inner direction can leave.
     #[inline(always)]
     pub fn critical_cosine_squared(&self) -> T {
         self.complement.max(T::new(0.0))
@@ -37,14 +38,14 @@ impl<T: Real> Interface<T> {
     /// The inner direction of the ray whose outer part is `w` (unit, z > 0), both pointing to
     /// z > 0. Its z is 0 where `w` is totally reflected.
     ///
-    /// cos_t^2 = (1 - ratio^2) + ratio^2 cos^2 has no cancellation for ratio <= 1 and takes the
-    /// cosine itself, not the length of the tangential part, which vanishes in rounding at grazing.
+    /// cos_t^2 = (1 - ratio^2) + ratio^2 cos^2 has no cancellation for ratio <= 1, and uses the cosine
+    /// itself, because at grazing angles the length of the tangential part rounds to 1.
     #[inline(always)]
     pub fn inside(&self, w: Vec3<T>) -> Vec3<T> {
         Vec3::new(self.ratio * w.x, self.ratio * w.y, self.cosine_inside(w.z))
     }
 
-    /// The z of [`Interface::inside`], of that of `w` alone.
+    /// The z of [`Interface::inside`] for the z of the outer direction.
     #[inline(always)]
     pub fn cosine_inside(&self, cos_theta: T) -> T {
         let cos_squared = self.complement + self.ratio.squared() * cos_theta.squared();
@@ -72,7 +73,7 @@ impl<T: Real> Interface<T> {
 }
 
 impl<C: Real> Interface<C> {
-    /// With both numbers changed.
+    /// Applies a function to both numbers.
     #[inline(always)]
     pub(crate) fn map<D>(&self, f: impl Fn(C) -> D) -> Interface<D> {
         Interface {
@@ -90,7 +91,7 @@ impl<C: Real> Interface<C> {
         }
     }
 
-    /// The first channel's in all of them.
+    /// The interface of the first channel in all channels.
     #[inline(always)]
     pub fn gray<T: Lane<Rgb = C>>(&self) -> Self {
         let Interface { ratio, complement } = self.channel::<T>(0);

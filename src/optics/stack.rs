@@ -1,9 +1,9 @@
 //! Reflectance and transmittance of plane layers between two half-spaces, at one wavelength.
 //!
-//! The tangential fields are carried from the far half-space to the near one (Abeles 1950; Macleod,
+//! The tangential fields are propagated from the far half-space to the near one (Abeles 1950; Macleod,
 //! "Thin-Film Optical Filters", section 2). With q = n cos theta in units of 2 pi / lambda and the
-//! immittance w = q for s, q / n^2 for p (the ratio of the tangential fields: H over E, E over H), a
-//! layer of thickness d maps the two fields (U, V), U = w V in the far half-space, by
+//! immittance w = q for s, q / n^2 for p (the ratio of the tangential fields: H over E, E over H), a layer
+//! of thickness d maps the two fields (U, V), U = w V in the far half-space, by
 //!
 //! ```text
 //! U' = c U + w s V         c = (1 + E) / 2        E = exp(2 i q d 2 pi / lambda)
@@ -12,27 +12,21 @@
 //! T  = 4 w0 Re(w_far) prod |E| / |w0 V + U|^2
 //! ```
 //!
-//! which is the characteristic matrix times exp(i q d 2 pi / lambda). With Im q >= 0 no exponential
-//! grows, however thick and absorbing the layer; and unlike the amplitudes r + r' E of a sum over
-//! reflections, U and w0 V keep their digits when a thin film is seen at grazing angles, where r goes
-//! to -1. In the quotient the fields' scale does not matter, so they are scaled down when large.
+//! This is the characteristic matrix times exp(i q d 2 pi / lambda). With Im q >= 0 no exponential grows,
+//! however thick and absorbing the layer is. Unlike the amplitudes r + r' E of a sum over reflections, U
+//! and w0 V keep their digits for thin films at grazing angles, where r tends to -1. The quotient does not
+//! depend on the scale of the fields, so large fields are scaled down.
 
 use super::Complex;
-use crate::num::{Mask, PI, Real};
+pub(crate) use super::waves::{Crossing, round_trip_loss};
+pub use super::waves::{Incidence, P, S, Slab, Wave};
+use crate::num::{Mask, Real};
 
-/// The index of the s polarisation (E parallel to the layers) in pairs.
-pub const S: usize = 0;
-/// The index of the p polarisation (H parallel to the layers) in pairs.
-pub const P: usize = 1;
-
-/// Below this, |w0 V + U| is taken for 0: cosine and film are both too small to reflect.
+/// A value of |w0 V + U| below this counts as 0: cosine and film are both too small to reflect.
 const VANISHED: f64 = 1e-37;
-/// Fields above this are scaled to 1; its square is within single precision.
+/// Fields greater than this are scaled to 1. Its square is within the range of single precision.
 const LARGE: f64 = 1e12;
-/// q^2 below this counts as q = 0 (the critical angle, exactly) in s / q.
-const CRITICAL: f64 = 1e-30;
-
-/// One layer.
+/// A layer of a stack.
 #[derive(Clone, Copy, Debug)]
 pub struct Layer<T> {
     /// Complex index.
@@ -44,29 +38,31 @@ pub struct Layer<T> {
 /// Layers between an ambient medium and a base.
 #[derive(Clone, Copy, Debug)]
 pub struct Stack<'a, T> {
-    /// Index of the ambient medium, >= 1, not absorbing.
+    /// Index of the ambient medium, which is transparent; >= 1.
     pub ambient: T,
-    /// The layers, the ambient's neighbour first.
+    /// The layers; the first one is next to the ambient medium.
     pub layers: &'a [Layer<T>],
     /// Complex index of the base.
     pub base: Complex<T>,
 }
 
-/// Where the light comes from.
+/// The side that the light comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// From the ambient medium.
+    /// The light comes from the ambient medium.
     Ambient,
-    /// From the base; if that absorbs, nothing arrives, and nothing is reflected or transmitted.
+    /// The light comes from the base. If the base absorbs, no light arrives, and reflectance and
+    /// transmittance are 0.
     Base,
 }
 
-/// The parts of the power that are reflected and that enter the far half-space.
+/// Reflectance and transmittance: the fractions of the power that are reflected and that enter the far
+/// half-space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Response<T> {
     /// R for s and p.
     pub reflectance: [T; 2],
-    /// T for s and p. Into an absorbing half-space: what crosses its surface.
+    /// T for s and p. For an absorbing half-space this is the power that crosses its surface.
     pub transmittance: [T; 2],
 }
 
@@ -83,7 +79,7 @@ impl<T: Real> Response<T> {
         (self.transmittance[S] + self.transmittance[P]) * T::new(0.5)
     }
 
-    /// A = 1 - R - T for s and p: what the layers absorb.
+    /// A = 1 - R - T for s and p, the power that the layers absorb.
     #[inline(always)]
     pub fn absorptance(&self) -> [T; 2] {
         [S, P].map(|pol| T::new(1.0) - self.reflectance[pol] - self.transmittance[pol])
@@ -92,17 +88,17 @@ impl<T: Real> Response<T> {
 
 impl<T: Real<Mask = bool>> Stack<'_, T> {
     /// The response to a plane wave whose direction has the cosine `cos_theta`, in [0, 1], in the
-    /// half-space that it comes from. Total internal reflection and cosine 0 are included: there
-    /// R = 1, unless nothing differs from the near half-space; then R = 0 at every cosine.
+    /// half-space that it comes from, at a vacuum wavelength in nm. At total internal reflection and at
+    /// cosine 0, R = 1; if all media have the same index, R = 0 at every cosine.
     ///
-    /// Exactly, not only in the limit: a layer of thickness 0 does nothing, neighbours of equal
-    /// index are one layer, and a layer like the half-space beside it changes no reflectance.
+    /// These hold exactly: a layer of thickness 0 has no effect, neighbours of equal index act as one
+    /// layer, and a layer with the index of the half-space beside it does not change the reflectance.
     pub fn respond(&self, side: Side, cos_theta: T, wavelength_nm: T) -> Response<T> {
         self.respond_with_poles(side, cos_theta, wavelength_nm).0
     }
 
-    /// The response, and for s and p the denominators w0 V + U: smooth functions of the wavelength
-    /// whose near-zeros are the resonances.
+    /// The response and, for s and p, the denominators w0 V + U. They are smooth functions of the
+    /// wavelength, and small near resonances.
     pub(super) fn respond_with_poles(
         &self,
         side: Side,
@@ -131,7 +127,7 @@ impl<T: Real<Mask = bool>> Stack<'_, T> {
     }
 }
 
-/// Carries the fields through layers given from the far half-space to the near one.
+/// Propagates the fields through layers, given in the order from the far half-space to the near one.
 #[inline(always)]
 fn cross<T: Real<Mask = bool>>(
     near: Incidence<T>,
@@ -141,7 +137,7 @@ fn cross<T: Real<Mask = bool>>(
 ) -> (Response<T>, [Complex<T>; 2]) {
     let far_wave = near.wave(far);
     let mut fields = [S, P].map(|pol| Fields::behind(&far_wave, pol));
-    // The medium that the fields have reached, and how much of it has not been crossed yet.
+    // The medium that the fields have reached, and the thickness of it that has not been crossed yet.
     let mut reached = Layer {
         index: far,
         thickness_nm: T::new(0.0),
@@ -171,7 +167,7 @@ fn cross<T: Real<Mask = bool>>(
             (reached, is_far) = (layer, false);
         }
     }
-    // Through what is like the near half-space, the wave changes its phase only.
+    // A layer with the index of the near half-space only changes the phase of the wave.
     let is_near = reached.index.equals(Complex::real(near.index));
     if !is_near && reached.thickness_nm.gt(T::new(0.0)) {
         cross_reached(reached, is_far);
@@ -185,170 +181,18 @@ fn cross<T: Real<Mask = bool>>(
     (response, [ends[S].pole, ends[P].pole])
 }
 
-/// A plane wave in the near half-space.
-#[derive(Clone, Copy, Debug)]
-pub struct Incidence<T> {
-    index: T,
-    /// n0 cos theta.
-    normal: T,
-    /// cos theta / n0.
-    normal_over_permittivity: T,
-}
-
-impl<T: Real> Incidence<T> {
-    /// In a medium of real index, at a cosine in [0, 1].
-    #[inline(always)]
-    pub fn new(index: T, cos_theta: T) -> Self {
-        Self {
-            index,
-            normal: index * cos_theta,
-            normal_over_permittivity: cos_theta / index,
-        }
-    }
-
-    /// w for s and p.
-    #[inline(always)]
-    pub fn immittance(&self) -> [T; 2] {
-        [self.normal, self.normal_over_permittivity]
-    }
-
-    /// The wave with the same tangential part in a medium of complex index.
-    ///
-    /// q^2 = n^2 - n0^2 sin^2 = (n - n0)(n + n0) + (n0 cos)^2, which has no cancellation at grazing
-    /// angles. Im q >= 0: the wave decays away from the light, in absorbing media and beyond the
-    /// critical angle alike.
-    #[inline(always)]
-    pub fn wave(&self, index: Complex<T>) -> Wave<T> {
-        let near = Complex::real(self.index);
-        let difference = (index - near) * (index + near);
-        let q_squared = difference + Complex::real(self.normal.squared());
-        let is_near = index.equals(near);
-        // The root of a square can be an ulp off, or underflow.
-        let q = Complex::select(is_near, Complex::real(self.normal), q_squared.sqrt_upper());
-        let ratio = q * (index * index).inverse();
-        let near_ratio = Complex::real(self.normal_over_permittivity);
-        Wave {
-            index,
-            immittance: [q, Complex::select(is_near, near_ratio, ratio)],
-        }
-    }
-}
-
-/// A plane wave in one medium.
-#[derive(Clone, Copy, Debug)]
-pub struct Wave<T> {
-    index: Complex<T>,
-    /// w for s and p; for s it is q itself.
-    pub immittance: [Complex<T>; 2],
-}
-
-/// c, s and s / q of a layer, E = exp(2 i q d 2 pi / lambda).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Crossing<T> {
-    /// (1 + E) / 2.
-    pub cosine: Complex<T>,
-    /// (1 - E) / 2.
-    pub sine: Complex<T>,
-    /// s / q, which tends to -2 pi i d / lambda at the critical angle.
-    pub sine_over_q: Complex<T>,
-    /// |E|.
-    pub decay: T,
-}
-
-impl<T: Real> Crossing<T> {
-    /// For a thickness in vacuum wavelengths. 1 - E by parts that keep their digits near 0.
-    #[inline(always)]
-    pub fn new(q: Complex<T>, thickness: T) -> Self {
-        let (half, one) = (T::new(0.5), T::new(1.0));
-        let half_turns = q.re * thickness;
-        let (sin, cos) = (half_turns.sin_turns(), half_turns.cos_turns());
-        let loss = round_trip_loss(q, thickness);
-        let decay = one - loss;
-        let sine = Complex::new(loss * half + decay * sin.squared(), -(decay * sin * cos));
-        let is_critical = q.norm_squared().lt(T::new(CRITICAL));
-        let safe = Complex::select(is_critical, Complex::real(one), q);
-        let limit = Complex::new(T::new(0.0), -(thickness * T::new(2.0 * PI)));
-        Self {
-            cosine: Complex::real(one) - sine,
-            sine,
-            sine_over_q: Complex::select(is_critical, limit, sine * safe.inverse()),
-            decay,
-        }
-    }
-}
-
-/// 1 - |E| for a thickness in vacuum wavelengths; costs nothing where no lane absorbs.
-#[inline(always)]
-pub(crate) fn round_trip_loss<T: Real>(q: Complex<T>, thickness: T) -> T {
-    let b = q.im * thickness * T::new(4.0 * PI);
-    let absorbs = b.gt(T::new(0.0)).any();
-    if absorbs { -(-b).exp_m1() } else { T::new(0.0) }
-}
-
-/// What a layer does to the fields.
-#[derive(Clone, Copy, Debug)]
-pub struct Slab<T> {
-    /// c = (1 + E) / 2.
-    cosine: Complex<T>,
-    /// w s for s and p.
-    forth: [Complex<T>; 2],
-    /// s / w for s and p.
-    back: [Complex<T>; 2],
-    /// |E|, the factor of the power.
-    pub(crate) decay: T,
-}
-
-impl<T: Real> Slab<T> {
-    /// (U, V) on the near side for those on the far side.
-    #[inline(always)]
-    pub(crate) fn carry(
-        &self,
-        pol: usize,
-        u: Complex<T>,
-        v: Complex<T>,
-    ) -> (Complex<T>, Complex<T>) {
-        (
-            self.cosine * u + self.forth[pol] * v,
-            self.cosine * v + self.back[pol] * u,
-        )
-    }
-
-    /// E = c - s, the determinant of the map.
-    #[inline(always)]
-    pub(crate) fn round_trip(&self) -> Complex<T> {
-        self.cosine + self.cosine - Complex::real(T::new(1.0))
-    }
-
-    /// A layer of a thickness, crossed by a wave.
-    #[inline(always)]
-    pub fn new(wave: &Wave<T>, thickness_nm: T, wavelength_nm: T) -> Self {
-        let thickness = thickness_nm / wavelength_nm;
-        let crossing = Crossing::new(wave.immittance[S], thickness);
-        let permittivity = wave.index * wave.index;
-        Self {
-            cosine: crossing.cosine,
-            forth: [
-                wave.immittance[S] * crossing.sine,
-                wave.immittance[P] * crossing.sine,
-            ],
-            back: [crossing.sine_over_q, crossing.sine_over_q * permittivity],
-            decay: crossing.decay,
-        }
-    }
-}
-
 /// The tangential fields of one polarisation, up to a common factor.
 #[derive(Clone, Copy, Debug)]
 pub struct Fields<T> {
     u: Complex<T>,
     v: Complex<T>,
-    /// prod |E|, times the square of `scale`.
+    /// The product of |E| over the layers crossed, times the square of `scale`.
     weight: T,
-    /// The factors that the fields were scaled by.
+    /// The product of all factors that the fields were scaled by.
     scale: T,
 }
 
-/// R and T of one polarisation, and w0 V + U.
+/// R, T and w0 V + U of one polarisation.
 struct End<T> {
     reflectance: T,
     transmittance: T,
@@ -356,7 +200,7 @@ struct End<T> {
 }
 
 impl<T: Real> Fields<T> {
-    /// At the surface of the far half-space, from where nothing returns: U = w V.
+    /// The fields at the surface of the far half-space, from which no wave returns: U = w V.
     #[inline(always)]
     pub fn behind(far: &Wave<T>, pol: usize) -> Self {
         let one = T::new(1.0);
@@ -368,7 +212,7 @@ impl<T: Real> Fields<T> {
         }
     }
 
-    /// Through a layer like the far half-space, from where nothing returns either.
+    /// The fields after a layer with the index of the far half-space, which only weakens the wave.
     #[inline(always)]
     fn weakened(self, slab: &Slab<T>) -> Self {
         Self {
@@ -377,7 +221,7 @@ impl<T: Real> Fields<T> {
         }
     }
 
-    /// Through a layer.
+    /// The fields after a layer.
     #[inline(always)]
     pub fn through(self, slab: &Slab<T>, pol: usize) -> Self {
         let (u, v) = slab.carry(pol, self.u, self.v);
@@ -402,7 +246,8 @@ impl<T: Real> Fields<T> {
         }
     }
 
-    /// R, and T into a half-space of the immittance `far`, at the surface of the near half-space.
+    /// R at the surface of the near half-space with the immittance `near`, and T into the far half-space
+    /// with the immittance `far`.
     #[inline(always)]
     fn meet(&self, near: T, far: Complex<T>) -> End<T> {
         let (zero, one) = (T::new(0.0), T::new(1.0));

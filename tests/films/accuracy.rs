@@ -74,7 +74,7 @@ fn errors(kind: OneLayerMethod, scene: &Scene) -> (f64, f64) {
 type Bounds = (OneLayerMethod, [f64; 6], [f64; 6]);
 
 /// Peers, and prototypes, as measured elsewhere on this grid.
-const BOUNDS: [Bounds; 11] = [
+const BOUNDS: [Bounds; 10] = [
     // Two beams at 3 wavelengths: soap was .069, with another treatment of grazing angles.
     (
         OneLayerMethod::TwoBeam,

@@ -111,7 +111,7 @@ fn weights_add_up_to_the_albedo() {
     });
 }
 
-/// R + T <= 1, whatever the film's error, and also where the colours themselves add up to more.
+/// R + T <= 1 for any error of the film, even where its colours add up to more.
 #[test]
 fn power_is_conserved() {
     let mut greatest_unclipped: f32 = 0.0;
@@ -153,7 +153,7 @@ fn transmission_from_the_base_is_the_films() {
     }
 }
 
-/// An unclipped film has channels outside [0, 1]; light has not.
+/// An unclipped film has channels outside [0, 1], but the model gives none.
 #[test]
 fn an_unclipped_film_gives_no_negative_light() {
     let film = FilmDescription {

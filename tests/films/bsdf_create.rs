@@ -11,7 +11,7 @@ use pellicle::optics::Medium;
 use pellicle::optics::stack::Side;
 use pellicle::{Bsdf, Description};
 
-/// A base that absorbs, and a film that keeps no transmittance: a mirror with one side.
+/// A film on a base that absorbs, or without its transmittance, is a mirror with one side.
 #[test]
 fn opaque_films_have_one_side() {
     let plain = FilmDescription::new(constant(1.5, 0.0)).layer(constant(1.38, 0.0), [100.0; 2]);

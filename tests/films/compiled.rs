@@ -79,7 +79,7 @@ const ABOVE: [f32; 3] = [1.000_000_1, 2.0, f32::INFINITY];
 /// Thicker than any range.
 const THICKER: [f32; 4] = [1001.0, 1e8, f32::MAX, f32::INFINITY];
 
-/// Against reading beside a table: arguments are held in their ranges, where values are those at the ends.
+/// Arguments are clamped to their ranges, so that nothing is read beside a table.
 #[test]
 fn arguments_outside_their_ranges_are_those_at_the_ends() {
     for Subject { name, film } in subjects() {
@@ -102,7 +102,7 @@ fn arguments_outside_their_ranges_are_those_at_the_ends() {
             for c in ABOVE {
                 assert_eq!(at(c), at(1.0), "{name} {c} {d}");
             }
-            // And the ends continue what is inside.
+            // The ends continue the values inside.
             assert!(
                 difference(at(1.0), at(1.0f32.next_down())) < 1e-5,
                 "{name} {d}"
@@ -216,13 +216,12 @@ fn a_vanishing_film_is_the_bare_base() {
     }
 }
 
-/// Against seams between the pieces of a spline, and between values that are read and weighted: small
-/// steps make small differences.
+/// Small steps make small differences: there are no seams between the cells of a table.
 #[test]
 fn neighbours_are_alike() {
     for Subject { name, film } in subjects() {
         let [least, greatest] = range(film);
-        // What is truly steep: grazing angles, and the critical angle of the prism.
+        // Steep places are left out: grazing angles, and the critical angle of the prism.
         let critical = (1.0f32 - 1.0 / 2.25).sqrt();
         let is_steep = |c: f32| c < 0.05 || (*name == "prism" && (c - critical).abs() < 0.02);
         // The reference and the series are slow, and their steps are tested with them.

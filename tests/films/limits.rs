@@ -317,7 +317,7 @@ fn thick_films_become_incoherent_in_bands() {
         for c in [0.1, 0.5, 0.8, 1.0] {
             let limit = incoherent(film, base, c);
             let mut far = Vec::new();
-            // What is left of the fringes falls as the number of fringes in a band rises.
+            // The more fringes a band has, the less is left of them.
             for (thickness, tolerance) in [(3e3, 0.2), (3e4, 0.05), (1e5, 0.015), (1e6, 2e-3)] {
                 let found = method.reflectance(c, thickness);
                 assert!(

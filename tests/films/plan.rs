@@ -7,7 +7,7 @@ use pellicle::num::Rgb;
 use pellicle::optics::stack::Side;
 use pellicle::optics::{ColorSpace, Medium, Reference, White};
 
-/// Against a plan that depends on time, threads or chance.
+/// A plan does not depend on time, threads or chance.
 #[test]
 fn a_plan_is_the_same_when_made_twice() {
     let forced = with("bands", 1e-2, &lens());
@@ -21,7 +21,7 @@ fn a_plan_is_the_same_when_made_twice() {
     }
 }
 
-/// Against tables where a closed form is exact, and against a closed form of the wrong index ratio.
+/// A bare dielectric is planned as a closed form with the right ratio of indices, not as a table.
 #[test]
 fn a_bare_dielectric_is_fresnel() {
     for (ambient, base) in [(1.0, 1.5), (1.33, 1.5), (1.5, 1.33), (1.0, 1.0), (1.0, 4.0)] {
@@ -63,8 +63,8 @@ fn schlick_is_chosen_only_within_tolerance() {
     }
 }
 
-/// What depends on the cosine alone needs few values: against a table over a thickness that is not
-/// there. On gold, and under films of one thickness.
+/// A film that depends on the cosine alone is a small table without a dimension for the thickness: bare gold,
+/// and films of one thickness.
 #[test]
 fn what_has_one_thickness_is_a_small_table() {
     let fixed = STACKS.map(|media| stack(media, [320.0; 2]));
@@ -78,8 +78,8 @@ fn what_has_one_thickness_is_a_small_table() {
     }
 }
 
-/// A layer like its neighbour, or of no thickness, vanishes: it is not even seen by the plan, unless
-/// its index depends on the wavelength, and then not in the colours.
+/// A layer like its neighbour, or of no thickness, changes nothing. The plan leaves it out, unless its index
+/// depends on the wavelength.
 #[test]
 fn a_layer_that_is_not_there_changes_nothing() {
     let (range, glass) = ([0.0, 1000.0], constant(1.5, 0.0));
@@ -106,7 +106,7 @@ fn a_layer_that_is_not_there_changes_nothing() {
     }
 }
 
-/// The films that most users make: small tables, and twice as good as asked for where that was measured.
+/// The films that most users make are small tables, with half the error that is allowed.
 #[test]
 fn common_films_are_tables_within_their_tolerance() {
     for media in STACKS {
@@ -251,7 +251,7 @@ fn mirrors_are_white_in_every_space_and_white() {
     }
 }
 
-/// Up to a millimetre: no colours are left there, and no more time than for thin films is needed.
+/// Films up to a millimetre have no colours left, and take no more time than thin ones.
 #[test]
 fn thick_films_end_incoherent() {
     let media = [constant(1.0, 0.0), constant(1.5, 0.0), constant(1.33, 0.0)];

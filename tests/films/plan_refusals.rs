@@ -5,7 +5,7 @@ use crate::common::films::{bare, constant, medium, soap};
 use pellicle::Status;
 use pellicle::film::{FilmDescription, LEAST_TOLERANCE};
 
-/// A method that cannot hold the tolerance is not used all the same, and the message is of help.
+/// A method asked for by name that cannot hold the tolerance is refused, with a message that helps.
 #[test]
 fn a_forced_method_that_cannot_hold_the_tolerance_is_refused() {
     let glass = bare(constant(1.5, 0.0));
@@ -32,7 +32,7 @@ fn a_forced_method_that_cannot_hold_the_tolerance_is_refused() {
     }
 }
 
-/// Against a method that silently ignores layers, absorption, or the other side.
+/// A method refuses layers, absorption or a second side that it does not take, instead of ignoring them.
 #[test]
 fn a_method_that_does_not_take_the_film_is_refused() {
     let lens = lens();

@@ -9,8 +9,8 @@ use pellicle::optics::stack::Side;
 use pellicle::optics::{ColorSpace, Medium, Reference, White};
 use rand::RngExt;
 
-/// Between like media a film of no thickness is nothing, along the surface too, where every film mirrors,
-/// the thinnest one that absorbs as well; from both sides.
+/// Between equal media a film of no thickness reflects nothing, at grazing angles too, from both sides. Any
+/// other film mirrors along the surface, even the thinnest one that absorbs.
 #[test]
 fn between_like_media_films_mirror_along_the_surface_and_no_film_is_nothing() {
     let glass = constant(1.8216633, 0.0);
@@ -57,7 +57,7 @@ fn refracted(c: f32, ratio: f64) -> Option<f32> {
     (square > 0.0).then(|| square.sqrt() as f32)
 }
 
-/// What is not reflected is transmitted if nothing absorbs, from both sides, clipped or not.
+/// If nothing absorbs, R + T = 1 from both sides, clipped or not.
 #[test]
 fn lossless_films_conserve_power() {
     let dispersive = bare(medium("BK7")).layer(medium("MgF2"), [0.0, 600.0]);
@@ -105,7 +105,7 @@ fn transmittance_is_the_same_from_both_sides() {
     }
 }
 
-/// Beyond the critical angle all light returns, but for what an absorbing layer takes.
+/// Beyond the critical angle all light returns that no layer absorbs.
 #[test]
 fn total_reflection_is_total_only_without_absorption() {
     let clear = bare(constant(1.5, 0.0)).layer(constant(1.38, 0.0), [0.0, 500.0]);
@@ -131,7 +131,7 @@ fn total_reflection_is_total_only_without_absorption() {
     }
 }
 
-/// The worst of some points, cosine and thickness, of a film that keeps both sides: the error, and where it is.
+/// The greatest error of a film with both sides at some points (cosine, thickness), and where it is.
 fn worst_of(film: &Film, points: &[(f32, f32)]) -> (f64, String) {
     let description = film.description();
     let layers = description.layers.iter().map(|layer| layer.medium.clone());
@@ -160,7 +160,7 @@ fn worst_of(film: &Film, points: &[(f32, f32)]) -> (f64, String) {
     worst
 }
 
-/// The worst of points scattered over a film.
+/// The greatest error at points scattered over a film.
 fn worst(description: FilmDescription) -> (f64, String) {
     let film = Film::new(&two_sided(description)).unwrap();
     let greatest = range(&film)[1];

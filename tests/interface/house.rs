@@ -5,7 +5,7 @@ use super::sources::{Source, is_identifier, sources};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// More traits than these make the way of a call hard to follow.
+/// With more traits than this, the way of a call is hard to follow.
 const MOST_TRAITS: usize = 12;
 
 /// The types of each name that a keyword of the list defines, and the files that define them.
@@ -89,8 +89,8 @@ fn no_files_import_in_a_circle() {
     assert!(report.is_empty(), "circles of imports:\n{report}");
 }
 
-/// The scan itself, on sources with a circle over a name that is passed on, one between a child and an
-/// item of its parent, and imports that are no circle.
+/// The scan itself, on sources with a circle through a re-exported name, one between a child and an item of its
+/// parent, and imports that are no circle.
 #[test]
 fn circles_are_found_and_passing_on_is_none() {
     let sources = [

@@ -9,15 +9,15 @@ struct Import {
     path: Vec<String>,
     /// What it is called in the file.
     name: String,
-    /// Whether the file passes it on.
+    /// Whether the file re-exports it.
     is_public: bool,
 }
 
 /// For every file the files that it imports from, and the name that it imports.
 pub type Graph = BTreeMap<String, BTreeMap<String, String>>;
 
-/// The graph of all imports. A name that a module only passes on comes from the file that defines it, and
-/// passing a name on is no use of it: a `mod.rs` that declares and passes on has no edges.
+/// The graph of all imports. A name that a module re-exports comes from the file that defines it, and a re-export
+/// is no import: a `mod.rs` that only declares and re-exports has no edges.
 pub fn graph(sources: &[Source]) -> Graph {
     let crate_files = Files::new(sources);
     let mut graph = Graph::new();
@@ -37,7 +37,7 @@ pub fn graph(sources: &[Source]) -> Graph {
     graph
 }
 
-/// The groups of files each of which imports, over some others, from each other one of its group.
+/// The groups of files in which every file imports from every other one, directly or through others.
 pub fn circles(graph: &Graph) -> Vec<BTreeSet<String>> {
     let reached: BTreeMap<&String, BTreeSet<&String>> = graph
         .keys()
@@ -97,7 +97,7 @@ impl<'a> Files<'a> {
                 continue;
             }
             if self.by_module.contains_key(&import.path[..]) {
-                // A module: what counts is which of its items are used.
+                // A module is no item: the items that are used through its name count.
                 let items = items_of(&body, &import.name);
                 used.extend(items.into_iter().map(|item| {
                     let mut path = import.path.clone();
@@ -113,7 +113,7 @@ impl<'a> Files<'a> {
                 used.extend(absolute(&source.module, &path, &self.by_module));
             }
         }
-        // A child that is named without an import.
+        // A child module can be named without an import.
         for child in self.children(source) {
             used.extend(items_of(&body, child).into_iter().map(|item| {
                 let mut path = source.module.clone();

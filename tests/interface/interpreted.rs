@@ -140,6 +140,7 @@ fn create(model: &CStr, varying: Option<(&CStr, [f32; 2])>) -> *mut PellicleBsdf
         varying: range.as_ref().map_or(null(), |range| range),
         varying_count: usize::from(range.is_some()),
         film: null(),
+        simd_level: null(),
     };
     let mut bsdf = null_mut();
     // SAFETY: a valid description.
@@ -207,10 +208,12 @@ fn check(bsdf: *const PellicleBsdf, varies: bool, [read, written]: [usize; 2]) {
                 wo,
                 wi.as_ptr(),
                 varying,
+                null(),
                 single.as_mut_ptr(),
                 &mut density,
+                null_mut(),
             );
-            pellicle_bsdf_sample(bsdf, wo, u.as_ptr(), varying, &mut sample, size);
+            pellicle_bsdf_sample(bsdf, wo, u.as_ptr(), varying, null(), &mut sample, size);
         }
         assert_eq!(value.get(i), bits(single));
         assert_eq!(pdf.get(i), bits([density]));
@@ -264,7 +267,8 @@ fn outputs_may_be_an_inputs_memory() {
             let output = single.as_mut_ptr();
             // SAFETY: a live handle, arrays and outputs as long as they must be.
             unsafe {
-                pellicle_bsdf_eval(bsdf, from.as_ptr(), to.as_ptr(), null(), output, null_mut())
+                let (wo, wi, no) = (from.as_ptr(), to.as_ptr(), null_mut());
+                pellicle_bsdf_eval(bsdf, wo, wi, null(), null(), output, no, no)
             };
             assert_eq!(wi.get(i), bits(single));
         }
@@ -282,8 +286,10 @@ fn structs_are_read_and_written_up_to_the_size_given() {
         let (wo, u) = (direction(0), uniforms(0));
         let pointer = sample.as_mut_ptr().cast();
         // SAFETY: a live handle, and `size` bytes.
-        let status =
-            unsafe { pellicle_bsdf_sample(bsdf, wo.as_ptr(), u.as_ptr(), null(), pointer, size) };
+        let status = unsafe {
+            let (wo, u) = (wo.as_ptr(), u.as_ptr());
+            pellicle_bsdf_sample(bsdf, wo, u, null(), null(), pointer, size)
+        };
         // No version of a struct ends within a number.
         let is_whole = size.is_multiple_of(align_of::<PellicleSample>());
         let expected = if is_whole {
@@ -334,7 +340,7 @@ fn handles_end_with_their_last_owner() {
     let owners: Vec<_> = (0..3)
         .map(|seed| {
             // SAFETY: a live handle.
-            assert_eq!(unsafe { pellicle_bsdf_retain(bsdf) }, PELLICLE_OK);
+            unsafe { pellicle_bsdf_retain(bsdf) };
             let shared = Shared(bsdf);
             std::thread::spawn(move || {
                 let Shared(bsdf) = { shared };
@@ -348,7 +354,9 @@ fn handles_end_with_their_last_owner() {
                         wo.as_ptr(),
                         wi.as_ptr(),
                         null(),
+                        null(),
                         output,
+                        null_mut(),
                         null_mut(),
                     );
                     assert_eq!(status, PELLICLE_OK);

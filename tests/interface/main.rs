@@ -5,5 +5,5 @@ mod house;
 mod imports;
 mod interpreted;
 mod layering;
-mod readme;
+mod models_page;
 mod sources;

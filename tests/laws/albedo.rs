@@ -67,8 +67,8 @@ fn stated_bound(drawn: &Drawn) -> f64 {
     }
 }
 
-/// Every model at random parameters. What has no density is a sum over its lobes, for
-/// `registry::weights_add_up_to_the_albedo`.
+/// Every model at random parameters. A surface without a density has an albedo
+/// that is a sum over its lobes; `registry::weights_add_up_to_the_albedo` tries it.
 #[test]
 fn every_model_is_within_its_bound_at_drawn_parameters() {
     let mut draws = Vec::new();

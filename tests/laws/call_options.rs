@@ -82,14 +82,12 @@ fn the_lobes_of_calls_add_up() {
                 .map(|lobe| choices[lobe])
                 .sum();
             pdf += probability * part.pdf;
-            for c in 0..3 {
-                value[c] += part.value[c];
-            }
+            value = std::array::from_fn(|c| value[c] + part.value[c]);
         }
         assert_near(pdf, whole.pdf, whole.pdf, "density");
         let scale = whole.value.into_iter().fold(whole.pdf, f64::max);
-        for c in 0..3 {
-            assert_near(value[c], whole.value[c], scale, "value");
+        for (sum, whole) in value.into_iter().zip(whole.value) {
+            assert_near(sum, whole, scale, "value");
         }
     });
 }
@@ -105,8 +103,8 @@ fn samples_are_of_the_lobes_asked_for() {
             assert_eq!(sample.flags, call.lobes);
             let (value, pdf) = bsdf.eval_pdf(wo, sample.wi, None, &call);
             assert_near(sample.pdf, pdf, pdf, "density");
-            for c in 0..3 {
-                assert_near(sample.weight[c] * pdf, value[c], pdf + value[c], "weight");
+            for (weight, value) in sample.weight.into_iter().zip(value) {
+                assert_near(weight * pdf, value, pdf + value, "weight");
             }
         }
         let nothing = Call {

@@ -17,7 +17,7 @@ use std::ops::Range;
 /// Draws of each model: more than the largest number of combinations.
 const CASES: u64 = 400;
 
-/// Says on unwinding which draw broke the law.
+/// Prints on a panic which draw broke the law.
 struct Draw(&'static RegisteredModel, u64);
 
 impl Drop for Draw {

@@ -10,6 +10,7 @@ use glam::{DVec3, Vec3};
 use pellicle::bsdf::Precision;
 use pellicle::bsdf::{RegisteredModel, models};
 use pellicle::{Bsdf, Sample};
+use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
 /// Draws of each model at the least; more where it has more combinations of choices.
@@ -22,9 +23,10 @@ const CALLS: usize = 12;
 /// In double precision both ways use the same formulas; what is left are roundings of powers with exponents
 /// up to 1e5 and of phases of films.
 const TOLERANCE: f64 = 1e-8;
-/// Where light that masking takes away is given back, a roughness that varies is looked up in a table: the
-/// error that both models state.
-const TABLE_TOLERANCE: f64 = 1e-3;
+/// Where light that masking takes away is given back, a roughness that varies is looked up in another table of
+/// the albedo E than a fixed one. Both tables are within 1e-3 of E, and the light given back has two factors
+/// 1 - E over the mean of another, so that its error is some times as large.
+const TABLE_TOLERANCE: f64 = 1e-2;
 /// In single precision a fixed value may have formulas of its own: the error that
 /// `registry::single_precision_follows_double` allows, on either side.
 const SINGLE_TOLERANCE: f64 = 1e-2;
@@ -131,7 +133,7 @@ fn calls(bsdf: &Bsdf<f64>, rng: &mut Pcg64Mcg) -> Vec<Call> {
             .as_dvec3()
             .clamp(DVec3::splat(1e-3), DVec3::splat(0.999));
         let mut wi = hemisphere(rng);
-        if i % 2 == 0 {
+        if i.is_multiple_of(2) {
             let sample = bsdf.sampled(wo, u, None);
             if sample.pdf > 0.0 {
                 wi = sample.wi;
@@ -187,7 +189,7 @@ fn compare(drawn: &Drawn, rng: &mut Pcg64Mcg, may: impl Fn(usize) -> bool, tally
             "{difference:e} in single precision: {}",
             what()
         );
-        has_effect |= call(&double, &given, None).difference(&found) > 10.0 * tolerance(drawn);
+        has_effect |= call(&double, &given, None).difference(&found) > 2.0 * tolerance(drawn);
     }
     for variation in &variations {
         let tally = &mut tally[variation.param];
@@ -196,7 +198,7 @@ fn compare(drawn: &Drawn, rng: &mut Pcg64Mcg, may: impl Fn(usize) -> bool, tally
     }
 }
 
-/// Each draw with all parameters varying that may, and with one of them, in turns.
+/// Each draw with all parameters varying that may, and with one of them.
 fn compare_model(entry: &'static RegisteredModel) -> Vec<Tally> {
     let can_vary: Vec<usize> = (0..entry.info.params.len())
         .filter(|param| entry.info.params[*param].can_vary)
@@ -207,7 +209,8 @@ fn compare_model(entry: &'static RegisteredModel) -> Vec<Tally> {
         let rng = &mut rng(!seed);
         compare(&drawn, rng, |_| true, &mut tally);
         if !can_vary.is_empty() {
-            let one = can_vary[seed as usize % can_vary.len()];
+            // Drawn, because a cycle would be in step with that of the choices.
+            let one = can_vary[rng.random_range(0..can_vary.len())];
             compare(&drawn, rng, |param| param == one, &mut tally);
         }
     }

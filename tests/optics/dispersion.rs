@@ -1,7 +1,7 @@
 //! Media: named ones against published values, three numbers, measured tables, and what is refused.
 
 use pellicle::Status;
-use pellicle::optics::{Complex, Medium, Named};
+use pellicle::optics::{Complex, Medium, NamedMedium};
 
 fn eta(name: &str, nm: f64) -> f64 {
     Medium::named(name).unwrap().index(nm).re
@@ -41,7 +41,7 @@ fn named_media_have_their_published_indices() {
 
 #[test]
 fn every_named_medium_is_sane() {
-    for named in Named::all() {
+    for named in NamedMedium::all() {
         let medium = Medium::named(named.name).unwrap();
         assert!(!named.source.is_empty());
         for alias in named.aliases {
@@ -97,7 +97,7 @@ fn every_named_medium_is_sane() {
         ("IRON", "Fe"),
     ];
     for (alias, name) in everyday {
-        assert_eq!(Named::find(alias).unwrap().name, name);
+        assert_eq!(NamedMedium::find(alias).unwrap().name, name);
     }
 }
 
@@ -110,7 +110,7 @@ fn unknown_names_list_the_known_ones() {
             .message
             .starts_with("unknown medium 'unobtainium'; known: vacuum, air, Ag, silver")
     );
-    for named in Named::all() {
+    for named in NamedMedium::all() {
         assert!(error.message.contains(named.name));
     }
 }

@@ -3,7 +3,7 @@
 //! `PELLICLE_RENEW=1 cargo test --release --test optics media` rewrites them.
 
 use pellicle::optics::stack::Side;
-use pellicle::optics::{ColorSpace, Medium, Named, Reference, White};
+use pellicle::optics::{ColorSpace, Medium, NamedMedium, Reference, White};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -63,7 +63,7 @@ fn table_of_metals() -> String {
 
 fn table_of_media() -> String {
     let mut text = String::from("| name | also | absorbs | source |\n|---|---|---|---|\n");
-    for named in Named::all() {
+    for named in NamedMedium::all() {
         let absorbs = if named.absorbs() { "yes" } else { "" };
         let aliases = named.aliases.join(", ");
         writeln!(

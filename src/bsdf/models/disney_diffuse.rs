@@ -2,13 +2,13 @@
 //!
 //! pi f / reflectance = (1 + (F - 1)(1 - wi.z)^5) (1 + (F - 1)(1 - wo.z)^5)
 //!
-//! with F = 0.5 + 2 roughness cos^2 theta_d, theta_d the angle between wi and the half vector: Burley
-//! 2012 ("Physically-Based Shading at Disney"), section 5.3. Smooth surfaces darken at grazing
-//! angles as a refracting boundary would make them, rough ones brighten. Use it to match assets
-//! authored for it; give it a roughness of its own, as with `oren_nayar`. The form is an empirical fit.
+//! with F = 0.5 + 2 roughness cos^2 theta_d, where theta_d is the angle between wi and the half vector:
+//! Burley 2012 ("Physically-Based Shading at Disney"), section 5.3. At grazing angles smooth surfaces are
+//! darker, as below a refracting boundary, and rough ones brighter. The form is an empirical fit. Use it to
+//! match assets authored for it. As with `oren_nayar`, its roughness is not that of the highlight.
 //!
-//! **Limits**: it returns more than it receives if the reflectance is near 1 and the roughness above
-//! 0.4: for reflectance 1 and roughness 1 by 3.6 % at normal incidence and 56 % at grazing angles.
+//! **Limits**: the albedo exceeds 1 if the reflectance is near 1 and the roughness is above 0.4: for
+//! reflectance 1 and roughness 1 by 3.6 % at normal incidence and by 56 % at grazing angles.
 
 use crate::bsdf::compiled::{Compiled, kernel};
 use crate::bsdf::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
@@ -59,25 +59,24 @@ impl Model for DisneyDiffuse {
     }
 }
 
-/// The parameters, for one surface or one in each lane.
+/// The values of the parameters, for one surface or for one in each lane.
 #[derive(Clone, Copy)]
 pub struct DisneySurface<T> {
     reflectance: Rgb<T>,
     roughness: T,
 }
 
-/// f |wi.z| over the reflectance. cos^2 theta_d = (1 + <wo, wi>) / 2.
+/// f |wi.z| divided by the reflectance; cos^2 theta_d = (1 + <wo, wi>) / 2.
 #[inline(always)]
 pub(super) fn value<T: Real>(roughness: T, wo: Vec3<T>, wi: Vec3<T>) -> T {
     let one = T::new(1.0);
     let excess = roughness * (one + wo.dot(wi)) - T::new(0.5);
-    let [out, back] = [one - wo.z, one - wi.z];
-    let [out, back] = [one + excess * out.pow5(), one + excess * back.pow5()];
-    out * back * wi.z * T::new(1.0 / PI)
+    let factor = |w: Vec3<T>| one + excess * (one - w.z).pow5();
+    factor(wo) * factor(wi) * wi.z * T::new(1.0 / PI)
 }
 
-/// An upper bound of the directional albedo for reflectance 1, above it by less than 0.03 from
-/// roughness 0.4 on, where it begins to exceed 1: our own fit.
+/// An upper bound of the directional albedo for reflectance 1, our own fit. From roughness 0.4 on, where
+/// the albedo begins to exceed 1, the bound is above it by less than 0.03.
 #[inline(always)]
 pub(super) fn greatest_albedo<T: Real>(roughness: T) -> T {
     let above = (roughness - T::new(0.4)).max(T::new(0.0));

@@ -1,33 +1,32 @@
 //! # `film`: a smooth surface with a thin-film coating
 //!
-//! A perfect mirror whose colour is that of wave optics: the compiled [`Film`] gives R and T, the
-//! plane gives the directions. Both lobes are Dirac, so value and density are 0 everywhere and only
-//! sampling finds them. Use it for soap bubbles, coated lenses and oil on still water; not for
-//! anything brushed or worn.
+//! A perfect mirror whose colour is computed by wave optics: the compiled [`Film`] gives R and T, and the
+//! law of reflection and Snell's law give the directions. Both lobes are Dirac, so that value and density
+//! are 0 everywhere and only sampling finds them. Use it for soap bubbles, coated lenses and oil on still
+//! water; for brushed or worn surfaces use `microfacet` with a film.
 //!
 //! **Reflection**: wi mirrors wo, weight R.
 //!
 //! **Transmission**, for a film that keeps its transmittance on a base that does not absorb: wi is
-//! refracted by Snell's law between ambient and base, weight T (eta_o / eta_i)^2 as radiance is
-//! compressed with its solid angle (Veach 1997, "Robust Monte Carlo Methods for Light Transport
-//! Simulation", section 5.2). Layers shift a ray but do not turn it, so a base like the ambient (a
-//! soap bubble) leaves directions as they are. The direction is that of 550 nm, near the eye's peak,
-//! for all colours: dispersion of the direction is left out. Where 550 nm is totally reflected
-//! nothing is transmitted. T is that of the ambient's side for either way, at the angle there, so that
-//! it is the same both ways: beside a dispersing base the colours of the two sides would belong to
-//! different angles and differ by as much as 0.3 at grazing ones.
+//! refracted by Snell's law between ambient and base. The weight is T (eta_o / eta_i)^2, because refraction
+//! compresses the solid angle of radiance (Veach 1997, "Robust Monte Carlo Methods for Light Transport
+//! Simulation", section 5.2). Layers shift a ray but do not turn it, so that directions pass unchanged if
+//! base and ambient have the same index, as for a soap bubble. All colours take the direction of 550 nm,
+//! near the peak of the eye's sensitivity: the dispersion of directions is left out. Where light of 550 nm
+//! is totally reflected nothing is transmitted. In both directions T is that from the ambient's side, at
+//! the angle there, so that it is the same both ways. Beside a dispersing base the transmittances of the
+//! two sides would belong to different angles and differ by up to 0.3 at grazing angles.
 //!
-//! **Thickness**: `thickness_nm` is that of the film's layer that varies, within its range. It must
-//! be given, or vary, when a layer varies, and must not when none does. Where it varies and has no
-//! value of its own, that is the least of its range.
+//! **Thickness**: `thickness_nm` is the thickness of the film's layer that varies, within the range of that
+//! layer. If a layer varies, it must be set or declared varying; if none does, it must not. A varying
+//! thickness without a value of its own has the least value of its range as default.
 //!
-//! **Energy**: T is clipped to \[0, 1\] and R to \[0, 1 - T\], for unclipped films too. Power is
-//! conserved at every wavelength but not in every channel, as matching functions have negative parts:
-//! the red of R and of T may each be below 1 and their sum above. R gives way, because T must be the
-//! same from both sides.
+//! **Energy**: T is clipped to \[0, 1\] and R to \[0, 1 - T\], for unclipped films too. Power is conserved
+//! at every wavelength but not in every channel, because the weights of the channels have negative parts:
+//! the red of R and of T may each be below 1 and their sum above. R is the one that is reduced, because T
+//! must be the same from both sides.
 //!
-//! Films are evaluated in single precision; the instance in double precision has only its directions
-//! better.
+//! Films are evaluated in single precision, so that in double precision only the directions are more exact.
 
 use super::power_lobe::mean;
 use crate::bsdf::call::Transport;
@@ -53,7 +52,7 @@ const THICKNESS_NM: usize = 0;
 const REFLECTION_LOBE: usize = 0;
 const TRANSMISSION_LOBE: usize = 1;
 
-/// The wavelength whose refraction stands for all, nm.
+/// The wavelength whose direction of refraction all colours take, nm.
 const REFRACTION_NM: f64 = 550.0;
 
 impl Model for ThinFilm {
@@ -91,21 +90,21 @@ impl Model for ThinFilm {
     }
 }
 
-/// Told by the plan of a BSDF whose film could transmit.
+/// The note in the plan of a BSDF whose base is transparent although its film keeps no transmittance.
 const LOST_IN_BASE: &str = "what enters the base is absorbed, as the film keeps no transmittance";
 
-/// Whether light crosses the film to where it can be seen.
+/// Whether the BSDF has transmission.
 fn transmits(film: &Film) -> bool {
     film.description().transmittance && !film.description().base.absorbs()
 }
 
-/// How directions pass from one half-space into the other.
+/// The refraction of directions between the half-spaces.
 #[derive(Clone, Copy)]
 struct Refraction<T> {
     interface: Interface<T>,
-    /// Index of the base over that of the ambient.
+    /// The index of the base over that of the ambient.
     eta: T,
-    /// Equal indices: kept apart as directions pass bit for bit.
+    /// Whether the indices are equal. Then directions pass without rounding.
     is_straight: bool,
 }
 
@@ -121,9 +120,9 @@ impl<T: Precision> Refraction<T> {
         }
     }
 
-    /// Where the light comes from that leaves along wo, and the index there over that on wo's side;
-    /// none beyond the critical angle. The direction is of unit length even if wo is so to 1e-3 only,
-    /// an error that leaving a dense base would magnify.
+    /// The direction of the light that leaves along wo after refraction, and the index on its side over
+    /// that on wo's side; `None` beyond the critical angle. The direction is normalised, because refraction
+    /// out of a dense base would magnify the error of a wo whose length is 1 only to within 1e-3.
     #[inline(always)]
     fn behind(&self, wo: Vec3<T>) -> Option<(Vec3<T>, T)> {
         let back = wo.scaled(T::new(-1.0));
@@ -143,24 +142,24 @@ impl<T: Precision> Refraction<T> {
 pub struct SmoothFilm<T> {
     film: Arc<Film>,
     thickness_nm: T,
-    /// None if nothing is transmitted.
+    /// `None` if nothing is transmitted.
     refraction: Option<Refraction<T>>,
 }
 
-/// What becomes of light along one direction.
+/// The split of the light of one direction into reflection and transmission.
 struct Split<T> {
-    /// Power returned.
+    /// The reflected fraction of the power.
     reflected: Rgb<T>,
-    /// Power passed on.
+    /// The transmitted fraction of the power.
     transmitted: Rgb<T>,
-    /// [`Refraction::behind`]; none if nothing is passed on.
+    /// [`Refraction::behind`]; `None` if nothing is transmitted.
     behind: Option<(Vec3<T>, T)>,
 }
 
 impl<T: Precision> SmoothFilm<T> {
     #[inline(always)]
     fn split(&self, overrides: &[(usize, [T; 3])], wo: Vec3<T>) -> Split<T> {
-        // Nothing else varies.
+        // The thickness is the only parameter that may vary.
         let thickness = overrides
             .first()
             .map_or(self.thickness_nm, |(_, value)| value[0]);
@@ -170,7 +169,7 @@ impl<T: Precision> SmoothFilm<T> {
             return Split::new(reflectance, [0.0; 3], None);
         };
         let behind = refraction.behind(wo);
-        // It cannot fail: there is a refraction only if the film keeps its transmittance.
+        // `colors` cannot fail, because there is a refraction only if the film keeps its transmittance.
         let from = |side, cos| self.film.colors(side, cos, thickness).unwrap_or_default();
         if wo.z > T::new(0.0) {
             let colors = from(Side::Ambient, cos_theta);
@@ -197,7 +196,8 @@ impl<T: Precision> Split<T> {
         }
     }
 
-    /// The probability of each lobe that takes part, in proportion to the mean of its power over the channels.
+    /// The probability of choosing each lobe that takes part, in proportion to the mean of its power over
+    /// the channels.
     #[inline(always)]
     fn choose(&self, lobes: LobeSet) -> PerLobe<T> {
         let mut shares = [T::new(0.0); MAX_LOBES];
@@ -212,8 +212,7 @@ impl<T: Precision> Split<T> {
         normalized(shares)
     }
 
-    /// The throughput of a lobe: radiance towards the viewer for radiance 1 of the lobe's light, or the same
-    /// for importance.
+    /// The throughput of a lobe for radiance or importance.
     #[inline(always)]
     fn throughput(&self, lobe: usize, transport: Transport) -> Rgb<T> {
         if lobe == REFLECTION_LOBE {

@@ -1,8 +1,8 @@
 //! # `lambert`: the ideal diffuse reflector
 //!
-//! f = reflectance / pi (Lambert 1760; the lecture's `f_Lambert = c_diff / pi`). The radiance does
-//! not depend on the viewer. Use it for chalk, plaster and unvarnished wood; not for rough surfaces
-//! seen at grazing angles, which are flatter than this.
+//! f = reflectance / pi (Lambert 1760; the lecture's `f_Lambert = c_diff / pi`). The radiance does not
+//! depend on the viewer. Use it for chalk, plaster and unvarnished wood; do not use it for rough surfaces,
+//! which look flatter (see `oren_nayar`).
 
 use crate::bsdf::compiled::{Compiled, kernel};
 use crate::bsdf::info::{LobeInfo, ModelInfo, ParamInfo};
@@ -39,7 +39,7 @@ impl Model for Lambert {
     }
 }
 
-/// The parameters, for one surface or one in each lane.
+/// The values of the parameters, for one surface or for one in each lane.
 #[derive(Clone, Copy)]
 pub struct LambertSurface<T> {
     reflectance: Rgb<T>,

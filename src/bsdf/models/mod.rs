@@ -1,4 +1,4 @@
-//! The scattering models, one file or folder each.
+//! The models, one file or folder each, and the lobe that some of them share.
 
 pub(crate) mod disney_diffuse;
 pub(crate) mod film;

@@ -1,15 +1,15 @@
 //! # `oren_nayar`: a rough diffuse surface of V-shaped grooves
 //!
-//! Oren and Nayar 1994 ("Generalization of Lambert's Reflectance Model"): Lambertian facets in
-//! grooves whose slope angles are normally distributed with standard deviation sigma, `sigma_radians`. Towards the
-//! light the surface looks brighter, and flatter than Lambert's. sigma = 0 is `lambert`. Use it for
-//! clay, cloth, concrete and the moon; give it a roughness of its own, as the grooves that make a
-//! highlight broad are smaller than light travels below the surface, and diffuse light does not see
-//! them.
+//! Oren and Nayar 1994 ("Generalization of Lambert's Reflectance Model"): Lambertian facets in grooves
+//! whose slope angles are normally distributed with the standard deviation sigma, `sigma_radians`. The
+//! surface is brighter than Lambert's when seen from the direction of the light, and looks flatter. sigma =
+//! 0 is `lambert`. Use it for clay, cloth, concrete and the moon. Its roughness is not that of the
+//! highlight: the grooves that broaden a highlight are smaller than the distance that light travels below
+//! the surface, so that diffuse light does not depend on them.
 //!
-//! The forms are the paper's functional approximation for Gaussian slopes (section 4, after its integrals)
-//! and its qualitative model. With s = sigma^2, a and b the greater and the lesser of the two polar angles, and phi the
-//! difference of the azimuths, pi f / rho is
+//! There are two forms: the paper's functional approximation of its integrals for Gaussian slopes (section
+//! 4), and its qualitative model. With s = sigma^2, the greater polar angle a, the lesser polar angle b,
+//! and the difference phi of the azimuths, pi f / rho is
 //!
 //! ```text
 //! full:         C1 + cos phi C2 tan b + (1 - |cos phi|) C3 tan((a + b) / 2)
@@ -21,18 +21,18 @@
 //! C3 = 0.125 s / (s + 0.09) (4 a b / pi^2)^2
 //! ```
 //!
-//! The term with 0.17 is light that facets send each other; the qualitative form has none, and costs a
-//! third.
+//! The term with 0.17 is light that facets reflect onto each other. The qualitative form leaves it out and
+//! costs a third.
 //!
-//! **The difference**: between facets light is added, so the qualitative form is darker, most along
-//! the normal. Its albedo is lower by -0.007 to 0.021 (reflectance 0.5, sigma 0.35), 0.017 to 0.067
-//! (0.9, 0.35) and 0.047 to 0.131 (0.9, pi / 2), depending on the viewer; in pi f |wi.z| / rho the forms
-//! differ by up to 0.14, 0.14 and 0.23.
+//! **The difference**: without the light between facets the qualitative form is darker, most along the
+//! normal. Its albedo is lower by -0.007 to 0.021 (reflectance 0.5, sigma 0.35), 0.017 to 0.067 (0.9, 0.35)
+//! and 0.047 to 0.131 (0.9, pi / 2), depending on the viewer. In pi f |wi.z| / rho the forms differ by up
+//! to 0.14, 0.14 and 0.23.
 //!
-//! **Limits**: both forms are fits. With a reflectance of 1 they return more than they receive at
-//! grazing angles: the full form by up to 5.1 %, for sigma below 0.63, the qualitative by up to 1.6 %,
-//! below 0.33; with a reflectance of 0.95 neither does. From sigma = 0.67 the full form falls below
-//! 0 where light and viewer graze the surface from opposite sides; it is held at 0 there.
+//! **Limits**: both forms are fits. With a reflectance of 1 the albedo exceeds 1 at grazing angles: that of
+//! the full form by up to 5.1 %, for sigma below 0.63, that of the qualitative form by up to 1.6 %, for
+//! sigma below 0.33. With a reflectance of 0.95 neither does. From sigma = 0.67 on the full form is
+//! negative where light and viewer graze the surface from opposite sides; it is clamped to 0 there.
 
 use crate::bsdf::compiled::{Compiled, kernel};
 use crate::bsdf::info::{Exception, LobeInfo, ModelInfo, ParamInfo};
@@ -93,7 +93,7 @@ impl Model for OrenNayar {
     }
 }
 
-/// The parameters, for one surface or one in each lane.
+/// The values of the parameters, for one surface or for one in each lane.
 #[derive(Clone, Copy)]
 pub struct OrenNayarSurface<T> {
     reflectance: Rgb<T>,
@@ -101,7 +101,7 @@ pub struct OrenNayarSurface<T> {
     is_qualitative: bool,
 }
 
-/// What depends on sigma alone.
+/// The coefficients that depend on sigma alone.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grooves<T> {
     /// C1
@@ -112,7 +112,7 @@ pub(super) struct Grooves<T> {
     mutual: T,
 }
 
-/// 0 where there is nothing to divide by.
+/// The quotient, or 0 where the divisor is 0.
 #[inline(always)]
 fn quotient<T: Real>(dividend: T, divisor: T) -> T {
     let (zero, one) = (T::new(0.0), T::new(1.0));
@@ -120,14 +120,14 @@ fn quotient<T: Real>(dividend: T, divisor: T) -> T {
     T::select(is_null, zero, dividend / T::select(is_null, one, divisor))
 }
 
-/// Of the angle to the normal.
+/// The sine of the angle to the normal.
 #[inline(always)]
 fn sine<T: Real>(w: Vec3<T>) -> T {
     (w.x.squared() + w.y.squared()).sqrt()
 }
 
 impl<T: Lane<Scalar = T>> Grooves<T> {
-    /// The same everywhere.
+    /// The same coefficients in every lane.
     #[inline(always)]
     pub(super) fn splat<L: Lane<Scalar = T>>(&self) -> Grooves<L> {
         Grooves {
@@ -151,17 +151,17 @@ impl<T: Lane> Grooves<T> {
 
     /// f |wi.z| of the full form.
     ///
-    /// Tangents are written as sines over cosines and multiplied by wi.z first: at grazing angles they
-    /// grow as fast as it falls.
+    /// Tangents are written as sines over cosines, and multiplied by wi.z before they can overflow at
+    /// grazing angles.
     #[inline(always)]
     pub(super) fn full(&self, reflectance: T::Rgb, wo: Vec3<T>, wi: Vec3<T>) -> T::Rgb {
         let (zero, one, four) = (T::new(0.0), T::new(1.0), T::new(4.0));
         let [sine_o, sine_i] = [sine(wo), sine(wi)];
-        // 2 theta / pi, in [0, 1].
+        // 2 theta / pi, within [0, 1].
         let part_o = four * angle_turns(sine_o, wo.z);
         let part_i = four * angle_turns(sine_i, wi.z);
         let (greater, lesser) = (part_o.max(part_i), part_o.min(part_i));
-        // cos phi sin a sin b, and from it cos phi and cos phi sin b.
+        // `across` is cos phi sin a sin b; cos phi and cos phi sin b follow from it.
         let across = wo.x * wi.x + wo.y * wi.y;
         let cos_phi = quotient(across, sine_o * sine_i);
         let cos_phi_sine_b = quotient(across, sine_o.max(sine_i));
@@ -177,9 +177,9 @@ impl<T: Lane> Grooves<T> {
         reflectance * sum.max(T::Rgb::new(0.0)) * T::Rgb::new(1.0 / PI)
     }
 
-    /// The directional albedo of the full form for a viewer at the horizon, its greatest where it
-    /// exceeds 1. The mean of everything that s / (s + 0.09) multiplies, over the hemisphere and
-    /// weighted by the cosine, is a number; cos phi has none.
+    /// The directional albedo of the full form for a viewer at the horizon, which is the greatest one where
+    /// it exceeds 1. The cosine-weighted mean over the hemisphere of the terms with s / (s + 0.09) is the
+    /// constant below; the mean of cos phi is 0.
     #[inline(always)]
     pub(super) fn albedo_at_horizon(&self, reflectance: T::Rgb) -> T::Rgb {
         let single = self.constant + T::new(0.177_196_4) * self.directional;

@@ -2,19 +2,18 @@
 //!
 //! f = diffuse / pi + specular (e + 2) / (2 pi) max(0, <mirror of wo, wi>)^e
 //!
-//! Phong 1975 in the reciprocal, energy-conserving form of Lafortune and Willems 1994 ("Using the
-//! modified Phong reflectance model for physically based rendering", eq. 5 and 6): the highlight is
-//! not divided by the cosine, and its albedo is `specular` at normal incidence and less elsewhere.
-//! diffuse + specular must not exceed 1 in any channel. Use it for plastics and as a baseline; it
-//! darkens towards grazing angles, where real surfaces brighten.
+//! Phong 1975 in the reciprocal, energy-conserving form of Lafortune and Willems 1994 ("Using the modified
+//! Phong reflectance model for physically based rendering", eq. 5 and 6): the highlight is not divided by
+//! the cosine, and its albedo is `specular` at normal incidence and less elsewhere. diffuse + specular must
+//! not exceed 1 in any channel. Use it for plastics and as a baseline. It darkens towards grazing angles,
+//! where real surfaces become brighter.
 //!
-//! **Ambient**: Phong's third term, ambient + diffuse + specular in the lecture's picture, stands for
-//! light from everywhere that nobody computes. It is a light and not a property of the surface, so it is
-//! no parameter here. A renderer adds to the light it has gathered, once per visible point,
-//! `ambient` times a reflectance, where `ambient` is the radiance that comes from everywhere: Phong's
-//! own reflectance is the diffuse colour; what this surface returns under such a light is its
-//! directional albedo (`Bsdf::albedo`, `pellicle_bsdf_albedo`, for preparation as it integrates). A
-//! renderer that computes light between surfaces has that light already and leaves the term out.
+//! **Ambient**: Phong's third term (the lecture shows ambient + diffuse + specular) approximates light that
+//! arrives equally from all directions. It describes a light and not the surface, so it is not a parameter
+//! here. A renderer without light between surfaces adds it once per visible point: the ambient radiance
+//! times a reflectance. Phong takes the diffuse colour as reflectance; exact is the directional albedo
+//! (`Bsdf::albedo`, `pellicle_bsdf_albedo`), which integrates and is meant for preparation. A renderer that
+//! computes light between surfaces leaves the term out.
 
 use super::power_lobe::{Power, conserving_normalization, estimated_integral, mean, sample_about};
 use crate::bsdf::compiled::{Compiled, kernel};
@@ -90,7 +89,7 @@ impl Model for Phong {
     }
 }
 
-/// The parameters, for one surface or one in each lane.
+/// The values of the parameters, for one surface or for one in each lane.
 #[derive(Clone, Copy)]
 pub struct PhongSurface<T> {
     diffuse: Rgb<T>,
@@ -122,7 +121,7 @@ impl<T: Precision> Compiled<T> for PhongSurface<T> {
 }
 
 impl<T: Real> PhongSurface<T> {
-    /// Value, and cos^e for the density.
+    /// The value, and cos^e, which the density needs too.
     #[inline(always)]
     fn value_and_power(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, T) {
         let complement = wo.mirrored().minus(wi).length_squared() * T::new(0.5);

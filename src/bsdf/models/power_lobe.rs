@@ -1,34 +1,34 @@
-//! The lobe cos^e about an axis, which Phong's model and the layered model share.
+//! The lobe cos^e about an axis, which `phong` and `layered` share.
 
 use crate::bsdf::precision::Precision;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, warp};
 
-/// An exponent e, and the cheapest way to the power e of a cosine.
+/// An exponent e, and the cheapest way to compute the power e of a cosine.
 #[derive(Clone, Copy, Debug)]
 pub struct Power<T> {
     way: Way,
-    /// The cosine below which the power is 0, or e / 2.
+    /// For `Multiply` the cosine below which the power is 0; for `Logarithm` e / 2.
     number: T,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Way {
-    /// e is whole and at most [`MOST_FACTORS`]: as many pairs of factors, and perhaps one more.
+    /// e is whole and at most [`MOST_FACTORS`]: e = 2 pairs, plus 1 if it is odd.
     Multiply { pairs: u32, is_odd: bool },
-    /// e is any.
+    /// e is any number >= 0.
     Logarithm,
 }
 
-/// Whole exponents up to this one are multiplied out, of which the rounding errors of the cosine and of the
-/// products are magnified e times: 2e-5 of the power at worst.
+/// The greatest whole exponent that is computed by multiplication. The rounding errors of the cosine and of
+/// the products are magnified e times: up to 2e-5 of the power.
 const MOST_FACTORS: f64 = 256.0;
 
-/// ln 1e-17: powers whose root is less are 0. So products of two roots and of what multiplies them are 0 or
-/// far from the least normal number, below which processors are slow.
+/// ln 1e-17. A power whose root is less counts as 0, so that products with two such roots are 0 or far
+/// above the least normal number, below which processors are slow.
 const LN_LEAST_ROOT: f64 = -39.143_946_580_898_78;
 
 impl<T: Precision> Power<T> {
-    /// Of an exponent >= 0 that does not vary.
+    /// The power for an exponent >= 0 that does not vary.
     pub fn of(exponent: T) -> Self {
         let number: f64 = exponent.into();
         if number.fract() != 0.0 || !(1.0..=MOST_FACTORS).contains(&number) {
@@ -46,7 +46,7 @@ impl<T: Precision> Power<T> {
 }
 
 impl<T: Lane> Power<T> {
-    /// The same everywhere.
+    /// The same power in every lane.
     #[inline(always)]
     pub fn splat<L: Lane<Scalar = T>>(self) -> Power<L> {
         let Self { way, number } = self;
@@ -56,7 +56,7 @@ impl<T: Lane> Power<T> {
         }
     }
 
-    /// The same in every channel.
+    /// The same power in every channel.
     #[inline(always)]
     pub fn gray(self) -> Power<T::Rgb> {
         let Self { way, number } = self;
@@ -68,7 +68,7 @@ impl<T: Lane> Power<T> {
 }
 
 impl<T: Real> Power<T> {
-    /// Of any exponent >= 0.
+    /// The power for any exponent >= 0, by the logarithm.
     #[inline(always)]
     pub fn of_any(exponent: T) -> Self {
         Self {
@@ -77,15 +77,15 @@ impl<T: Real> Power<T> {
         }
     }
 
-    /// Whether it is found by multiplication.
+    /// Whether the power is computed by multiplication.
     pub fn is_multiplied(&self) -> bool {
         matches!(self.way, Way::Multiply { .. })
     }
 
-    /// The root of max(0, c)^e, or 0 below 1e-17, for the cosine c = 1 - `complement`.
+    /// The square root of max(0, c)^e for the cosine c = 1 - `complement`; 0 where the root is below 1e-17.
     ///
-    /// The complement |a - b|^2 / 2 of unit vectors has the digits that the cosine has lost: near the axis
-    /// the cosine in single precision has none left for an exponent of 1e5 to amplify.
+    /// The argument is the complement, |a - b|^2 / 2 for unit vectors a and b, because near the axis the
+    /// cosine in single precision has too few digits for an exponent of 1e5.
     #[inline(always)]
     pub fn root(self, complement: T) -> T {
         let (zero, one) = (T::new(0.0), T::new(1.0));
@@ -113,38 +113,39 @@ impl<T: Real> Power<T> {
     }
 }
 
-/// (e + 2) / (2 pi), with which cos^e reflects no more than it receives: Lafortune and Willems 1994,
-/// eq. 6. Not the normalisation of the density, which lacks the cosine of reflection.
+/// (e + 2) / (2 pi), the factor with which the albedo of the lobe cos^e is at most 1: Lafortune and Willems
+/// 1994, eq. 6. The density has another one, [`warp::power_cosine_normalization`], because it is not
+/// weighted by wi.z.
 #[inline(always)]
 pub fn conserving_normalization<T: Real>(exponent: T) -> T {
     (exponent + T::new(2.0)) * T::new(0.5 / PI)
 }
 
-/// A direction about `axis` with density (e + 1) / (2 pi) cos^e per solid angle.
+/// Samples a direction about `axis` with the density (e + 1) / (2 pi) cos^e per solid angle.
 #[inline(always)]
 pub fn sample_about<T: Real>(axis: Vec3<T>, exponent: T, u: [T; 2]) -> Vec3<T> {
     axis.frame_to_world(warp::power_cosine(exponent, u[0], u[1]))
 }
 
-/// Estimate of the integral of cos^e wi.z over the hemisphere, for a lobe whose axis has the given
-/// z: only its ratio to other lobes' integrals matters, to choose between them.
+/// An estimate of the integral of cos^e wi.z over the hemisphere, for a lobe whose axis has the z component
+/// `axis_z`. It is used to choose between lobes, so that only its ratio to other integrals matters.
 ///
-/// For a narrow lobe it is 2 pi / (e + 2) times the mean of max(0, wi.z) over the lobe. With the
-/// lobe's spread sigma^2 = 1 / (e + 2), that mean goes from z to 0.4 sigma at the horizon (the mean
-/// of half a normal distribution), which (z + sqrt(z^2 + 0.64 sigma^2)) / 2 follows.
+/// For a narrow lobe it is 2 pi / (e + 2) times the mean of max(0, wi.z) over the lobe. With the variance
+/// sigma^2 = 1 / (e + 2) of the lobe, that mean goes from z for a steep axis to 0.4 sigma at the horizon
+/// (the mean of half a normal distribution), and (z + sqrt(z^2 + 0.64 sigma^2)) / 2 approximates it.
 #[inline(always)]
 pub fn estimated_integral<T: Real>(exponent: T, axis_z: T) -> T {
     T::new(std::f64::consts::TAU) / (exponent + T::new(2.0)) * smooth_cosine(exponent, axis_z)
 }
 
-/// The mean of max(0, wi.z) over the lobe, see [`estimated_integral`].
+/// An estimate of the mean of max(0, wi.z) over the lobe, see [`estimated_integral`].
 #[inline(always)]
 pub fn smooth_cosine<T: Real>(exponent: T, axis_z: T) -> T {
     let variance = T::new(0.64) / (exponent + T::new(2.0));
     (axis_z + (axis_z.squared() + variance).sqrt()) * T::new(0.5)
 }
 
-/// Mean of three channels.
+/// The mean of the three channels.
 #[inline(always)]
 pub fn mean<T: Real>([r, g, b]: Rgb<T>) -> T {
     (r + g + b) * T::new(1.0 / 3.0)

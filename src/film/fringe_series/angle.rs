@@ -22,14 +22,14 @@ pub(super) struct Wavenumbers {
     pub weights: [F64x4; 3],
 }
 
-/// Where the harmonics end.
+/// The truncation of the harmonics.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Truncation {
-    /// The last harmonic that is summed whole.
+    /// The number of the last harmonic with weight 1.
     pub whole: f64,
-    /// The part of the next one that is summed too.
+    /// The weight of the next harmonic.
     pub part: f64,
-    /// 1 where the harmonics end, 0 where all are summed.
+    /// 1 where the harmonics are truncated, 0 where all are summed.
     pub cut: f64,
 }
 
@@ -115,7 +115,7 @@ impl ChannelSums {
 }
 
 impl StackAtAngle {
-    /// At a cosine on the side of the light.
+    /// The stack at a cosine on the side of the light.
     #[inline(always)]
     pub(super) fn new(media: StackMedia<'_>, cos_theta: f64, sigma: F64x4) -> Self {
         let (terms, round) = media.terms(cos_theta, sigma);
@@ -130,7 +130,7 @@ impl StackAtAngle {
 }
 
 impl BeamTerms {
-    /// With the damping of the amplitude on a round trip, decay = exp(exponent).
+    /// The terms with the damping of the amplitude on a round trip, decay = exp(exponent).
     #[inline(always)]
     fn damped(&self, exponent: F64x4, decay: F64x4) -> DampedTerms {
         let one = F64x4::new(1.0);

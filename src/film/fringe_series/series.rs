@@ -58,9 +58,9 @@ pub(in crate::film) struct FringeSeries {
     ranges: Vec<[f64; 2]>,
     /// The layer whose harmonics are summed.
     summed: Option<usize>,
-    /// Its thickness, nm, if that does not vary.
+    /// The thickness of the summed layer, nm, if it does not vary.
     fixed_nm: Option<f64>,
-    /// The longest path that it can have, per nm of thickness.
+    /// The longest path that the summed layer can have, per nm of its thickness.
     most_path: f64,
     /// Whether indices are the same at all wavenumbers and there is at most one layer.
     is_uniform: bool,
@@ -77,7 +77,7 @@ pub(in crate::film) struct SeriesAtAngle<'a> {
 }
 
 impl SeriesAtAngle<'_> {
-    /// At a thickness of the layer that varies, nm; ignored if none does.
+    /// The colours at a thickness of the layer that varies, nm, which is ignored if none does.
     pub(in crate::film) fn at(&self, thickness_nm: f64) -> Colors<f64> {
         let thickness_nm = self.series.fixed_nm.unwrap_or(thickness_nm);
         let truncation = self.series.truncation(self.path * thickness_nm);
@@ -96,7 +96,7 @@ impl SeriesAtAngle<'_> {
 }
 
 impl FringeSeries {
-    /// With `count` wavenumbers, at least 2. Fails if there is no memory.
+    /// A series with `count` wavenumbers, at least 2. It fails if there is no memory.
     pub(in crate::film) fn new(description: &FilmDescription, count: usize) -> Result<Self, Error> {
         let weights = ChannelWeights::new(description.white, description.color_space);
         let rule = equidistant(&weights, count, 0.0);
@@ -155,8 +155,8 @@ impl FringeSeries {
         })
     }
 
-    /// At one angle and thickness (nm, of the layer that varies; ignored if none does), without
-    /// allocating. `cos_theta` is in the half-space that the light comes from.
+    /// The colours at one angle and thickness (nm, of the layer that varies; ignored if none does), without
+    /// allocation. `cos_theta` is measured in the half-space that the light comes from.
     pub(in crate::film) fn at(&self, side: Side, cos_theta: f64, thickness_nm: f64) -> Colors<f64> {
         widest(
             #[inline(always)]
@@ -177,7 +177,8 @@ impl FringeSeries {
         )
     }
 
-    /// At an angle, for any thickness; `cos_theta` is in the half-space that the light comes from.
+    /// The series at an angle, for any thickness. `cos_theta` is measured in the half-space that the light
+    /// comes from.
     pub(in crate::film) fn at_angle(&self, side: Side, cos_theta: f64) -> SeriesAtAngle<'_> {
         let cos_theta = cos_theta.max(LEAST_COSINE);
         let count = if self.is_uniform {

@@ -71,7 +71,8 @@ impl StackMedia<'_> {
             }
             decay = decay * cross.decay;
         }
-        // The layers above it as a matrix per polarisation: what they make of (1, 0) and (0, 1).
+        // The layers above it as a matrix per polarisation, whose columns are the images of (1, 0) and (0,
+        // 1).
         let mut above = [[(real(one), real(zero)), (real(zero), real(one))]; 2];
         let mut determinant = real(one);
         for i in (1..summed.min(last)).rev() {
@@ -114,7 +115,7 @@ struct Surroundings {
     far: F64x4,
     /// The tangential fields (U, V) below the summed layer.
     below: (Complex<F64x4>, Complex<F64x4>),
-    /// What the layers above it make of the fields (1, 0) and (0, 1).
+    /// The matrix of the layers above it: the images of the fields (1, 0) and (0, 1).
     above: [(Complex<F64x4>, Complex<F64x4>); 2],
     /// The product of E of all layers above it.
     determinant: Complex<F64x4>,

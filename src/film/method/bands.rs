@@ -113,7 +113,7 @@ struct HalfBandPhase<R> {
 }
 
 impl<T: Lane> Bands<T> {
-    /// With 1 to 256 bands.
+    /// The method with 1 to 256 bands.
     fn new(layer: &OneLayer, count: usize) -> Result<Self, Error> {
         check_size("bands", count, MAX_BANDS)?;
         let weights = ChannelWeights::new(layer.white, layer.space);
@@ -296,7 +296,7 @@ impl<R: Real> ThreeBands<R> {
             // squares, its angle from the product of one with the other's conjugate.
             let g_z = g * z;
             let lower = one + two * (g_z.re * edge.re + g_z.im * edge.im) + g_squared;
-            // At least (1 - |g|)^2 and so (1 - |g|^2)^2 / 4.
+            // It is at least (1 - |g|)^2 and so at least (1 - |g|^2)^2 / 4.
             let lower = lower.max(g_loss * g_loss * R::new(0.25));
             let lower = R::select(is_resonant, one, lower);
             let growth = -(R::new(4.0) * edge.im * g_z.im) / lower;

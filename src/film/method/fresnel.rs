@@ -7,7 +7,7 @@ use crate::film::description::FilmDescription;
 use crate::num::Rgb;
 use crate::optics::dielectric_reflectance;
 
-/// Exact.
+/// The exact reflectance.
 pub(super) const INFO: MethodInfo = MethodInfo {
     name: "fresnel",
     sizes: &[1],

@@ -70,7 +70,7 @@ struct Harmonics<T: Lane> {
     transform: Box<[Rgb<Complex<T>>]>,
 }
 
-/// Up to an order of 1 to 16.
+/// The method up to an order of 1 to 16.
 fn compile<T: Lane + Into<f64>>(
     layer: &OneLayer,
     order: usize,

@@ -1,4 +1,4 @@
-//! What the planner knows of a method.
+//! The description of a method, for the planner.
 
 use super::compiled_method::CompiledMethod;
 use super::one_layer::OneLayer;
@@ -12,13 +12,13 @@ use crate::optics::stack::Side;
 /// A method: its name, its sizes, its cost and how it is compiled.
 pub(in crate::film) struct MethodInfo {
     /// The name that forces the method ([`FilmDescription::method`]) and that
-    /// [`Plan::method`](crate::film::Plan::method) reports.
+    /// [`FilmPlan::method`](crate::film::FilmPlan::method) reports.
     pub name: &'static str,
     /// The sizes that are tried; a method without sizes has one, which it ignores.
     pub sizes: &'static [usize],
-    /// What a call costs in a size, ns: about the median of `./x chart` on one core of a 2024 server
-    /// (docs/chart.csv). Costs only have to put the methods in order; they are constants, so that the
-    /// order is the same on every machine.
+    /// The cost of a call in a size, ns: about the median of `./x chart` on one core of a 2024 server
+    /// (docs/chart.csv). Costs only have to put the methods in order; they are constants, so that the order
+    /// is the same on every machine.
     pub cost_ns: fn(usize) -> f64,
     /// Whether a plan may choose the method unasked.
     pub is_automatic: bool,
@@ -33,7 +33,7 @@ pub(in crate::film) struct MethodInfo {
     pub compile: Compile,
 }
 
-/// How a method is compiled.
+/// The constructor of a method.
 pub(in crate::film) enum Compile {
     /// For a film of one layer.
     OneLayer(OneLayerCompile),
@@ -44,11 +44,11 @@ pub(in crate::film) enum Compile {
 /// A constructor for a film of one layer and a size. It fails if the size is out of range.
 type Constructor<T> = fn(&OneLayer, usize) -> Result<Box<dyn CompiledMethod<T>>, Error>;
 
-/// How a method for one layer is compiled.
+/// The constructors of a method for one layer.
 pub(in crate::film) struct OneLayerCompile {
     pub single: Constructor<f32>,
     pub double: Constructor<f64>,
-    /// What an evaluation in a size takes, in words.
+    /// The work of an evaluation in a size, in words.
     pub work: fn(usize) -> String,
 }
 
@@ -57,8 +57,8 @@ pub(in crate::film) struct OneLayerCompile {
 const MEASURED: f64 = 0.4;
 
 impl MethodInfo {
-    /// What methods for one layer have in common; they have one size and are not chosen unasked. The
-    /// errors of fixed wavelengths and of truncated series jump, because they alias.
+    /// The common part of methods for one layer, which have one size and are not chosen unasked. The errors
+    /// of fixed wavelengths and of truncated series jump, because they alias.
     pub(super) const fn one_layer(name: &'static str, compile: OneLayerCompile) -> Self {
         Self {
             name,

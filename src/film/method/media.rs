@@ -79,7 +79,7 @@ impl<R: Real> RelativeMedium<R> {
 }
 
 impl MediaAtWavelength<f64> {
-    /// At a wavelength.
+    /// The media at a wavelength, nm.
     pub(super) fn at(layer: &OneLayer, wavelength_nm: f64) -> Self {
         let ambient = layer.ambient.index(wavelength_nm).re;
         let film = layer.film.index(wavelength_nm);

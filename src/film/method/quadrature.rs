@@ -61,7 +61,7 @@ struct QuadratureNodes<R> {
     weights: [R; 3],
 }
 
-/// With 1 to 64 wavelengths.
+/// The method with 1 to 64 wavelengths.
 fn compile<T: Lane>(layer: &OneLayer, count: usize) -> Result<Box<dyn CompiledMethod<T>>, Error> {
     check_size("wavelengths", count, MAX_NODES)?;
     let left_out = LEFT_OUT / (count * count) as f64;

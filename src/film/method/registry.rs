@@ -23,7 +23,7 @@ pub(in crate::film) const ALL: [&MethodInfo; 10] = [
 ];
 
 /// The names that a method is forced by ([`FilmDescription::method`](crate::film::FilmDescription)) and
-/// reported with ([`Plan::method`](crate::film::Plan::method)).
+/// reported with ([`FilmPlan::method`](crate::film::FilmPlan::method)).
 pub const METHODS: [&str; ALL.len()] = {
     let mut names = [""; ALL.len()];
     let mut i = 0;
@@ -72,7 +72,7 @@ impl OneLayerMethod {
         self.info().name
     }
 
-    /// What an evaluation takes, in words.
+    /// The work of an evaluation, in words.
     pub fn cost(self) -> String {
         (self.constructors().work)(self.size())
     }

@@ -7,7 +7,7 @@ use crate::num::Rgb;
 use crate::optics::stack::Side;
 use crate::optics::{Medium, schlick};
 
-/// Three numbers.
+/// Schlick's approximation, which takes three numbers.
 pub(super) const INFO: MethodInfo = MethodInfo {
     name: "schlick",
     sizes: &[1],

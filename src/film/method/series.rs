@@ -30,8 +30,8 @@ pub(super) const INFO: MethodInfo = MethodInfo {
     compile: Compile::Film(|planner| compile(planner).map(Some)),
 };
 
-/// With at least twice the wavenumbers of the series that fills tables, because no spline smooths the
-/// errors at single points.
+/// The series has at least twice the wavenumbers of the series that fills tables, because no spline smooths
+/// the errors at single points.
 fn compile(planner: &Planner<'_>) -> Result<Candidate, Error> {
     let description = planner.description;
     let allowed = (INFO.allowed_error)(planner.limits.tolerance);

@@ -8,9 +8,9 @@ use crate::film::method::info::MethodInfo;
 use crate::film::method::registry::{ALL, METHODS};
 use crate::optics::Reference;
 
-/// What was chosen, and what it was measured to do.
+/// The chosen method of a film, and its measured errors.
 #[derive(Clone, Debug)]
-pub struct Plan {
+pub struct FilmPlan {
     /// The method's name, one of [`METHODS`](crate::film::METHODS).
     pub method: &'static str,
     /// The error that was allowed.
@@ -21,7 +21,7 @@ pub struct Plan {
     pub measured_rms: f64,
     /// Bytes of the tables.
     pub bytes: usize,
-    /// One sentence.
+    /// Why the method was chosen, in one sentence.
     pub reason: String,
 }
 
@@ -30,7 +30,7 @@ pub struct Plan {
 pub(in crate::film) fn plan(
     description: &FilmDescription,
     reference: &Reference,
-) -> Result<(Evaluator, Plan), Error> {
+) -> Result<(Evaluator, FilmPlan), Error> {
     let tolerance = description.tolerance;
     let forced = description.method.as_deref();
     if let Some(name) = forced {
@@ -44,7 +44,7 @@ pub(in crate::film) fn plan(
         };
         let max = candidate.errors.max;
         if max <= (method.allowed_error)(tolerance) {
-            let plan = Plan {
+            let plan = FilmPlan {
                 method: method.name,
                 tolerance,
                 measured_max: max,

@@ -1,4 +1,4 @@
-//! What methods are compiled from and measured with.
+//! The film that methods are compiled for, and the exact colours that they are measured against.
 
 use super::converge::converged;
 use super::points::{points, points_near_critical_angles};
@@ -25,7 +25,8 @@ const FILLING: f64 = 0.1;
 const POINTS: usize = 3000;
 pub(in crate::film) const SLOW_POINTS: usize = 60;
 
-/// A film's description, and the truth that methods are filled with and compared with.
+/// The description of a film, and the series and the reference that methods are filled from and compared
+/// with.
 pub(in crate::film) struct Planner<'a> {
     pub description: &'a FilmDescription,
     pub reference: &'a Reference,
@@ -33,7 +34,7 @@ pub(in crate::film) struct Planner<'a> {
     pub series: FringeSeries,
     /// The error of the series where films are hardest.
     series_error: f64,
-    /// Cosines, thicknesses and what they reflect to the ambient's side.
+    /// Cosines, thicknesses and exact reflectances on the ambient's side.
     truth: OnceCell<Vec<(f64, f64, Rgb<f64>)>>,
 }
 
@@ -41,9 +42,9 @@ pub(in crate::film) struct Planner<'a> {
 pub(in crate::film) struct Candidate {
     pub evaluator: Evaluator,
     pub errors: Errors,
-    /// Bytes of its tables.
+    /// Bytes of the tables.
     pub bytes: usize,
-    /// Its size, in words.
+    /// The size of the method, in words.
     pub size: String,
 }
 

@@ -78,10 +78,10 @@ pub(super) fn measured_range(description: &FilmDescription) -> [f64; 2] {
 /// Cosines at which light from a side begins to travel along a layer or the far half-space: colours have
 /// the singularity of a square root there.
 pub(in crate::film) struct CriticalAngles {
-    /// Of media without dispersion.
+    /// The cosines of media without dispersion.
     constant: Vec<f64>,
-    /// Of dispersing media, at some wavelengths: each wavelength has its own, so that the spectrum has the
-    /// singularity too.
+    /// The cosines of dispersing media, at some wavelengths: each wavelength has its own, so that the
+    /// spectrum has the singularity too.
     dispersing: Vec<f64>,
 }
 

@@ -47,7 +47,8 @@ pub(in crate::film) struct AxisParams {
     pub half: f64,
     /// (n0 / n1)^2, less than 1. At 0, y does not depend on the angle.
     pub tilt: f64,
-    /// How much denser the rows are for thin films than for thick ones, > 0.
+    /// The shape of y, > 0: the rows at the least thickness are (1 + fade)^2 times as dense as at the
+    /// greatest one.
     pub fade: f64,
 }
 

@@ -30,7 +30,7 @@ impl ColorProfile {
     fn new(t: Vec<f64>, values: &[Rgb<f64>], limits: &FitLimits) -> Self {
         // The table is not measured where colours are clipped, but its spline must be smooth a little
         // way beyond [0, 1].
-        let seen = |x: f64| {
+        let displayed = |x: f64| {
             if limits.unclipped {
                 x
             } else {
@@ -41,7 +41,8 @@ impl ColorProfile {
             let first = i.saturating_sub(1).min(t.len() - 4);
             let third = (0..3)
                 .map(|c| {
-                    let mut divided: [f64; 4] = std::array::from_fn(|k| seen(values[first + k][c]));
+                    let mut divided: [f64; 4] =
+                        std::array::from_fn(|k| displayed(values[first + k][c]));
                     for order in 1..4 {
                         for k in 0..4 - order {
                             divided[k] = (divided[k + 1] - divided[k])

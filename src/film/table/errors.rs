@@ -8,7 +8,7 @@ use crate::num::{Lane, Rgb};
 /// Errors of single channels.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::film) struct Errors {
-    /// The greatest.
+    /// The greatest error.
     pub max: f64,
     /// The sum of the squares.
     squares: f64,
@@ -36,10 +36,10 @@ impl Errors {
         expected: Rgb<f64>,
         unclipped: bool,
     ) -> f64 {
-        let seen = |x: f64| if unclipped { x } else { x.clamp(0.0, 1.0) };
+        let displayed = |x: f64| if unclipped { x } else { x.clamp(0.0, 1.0) };
         let mut worst = 0.0f64;
         for c in 0..3 {
-            let error = (seen(found[c]) - seen(expected[c])).abs();
+            let error = (displayed(found[c]) - displayed(expected[c])).abs();
             // max() would ignore a NaN.
             let error = if error.is_nan() { f64::INFINITY } else { error };
             self.squares += error * error;
@@ -50,7 +50,7 @@ impl Errors {
         worst
     }
 
-    /// Adds the errors of another.
+    /// Adds other errors.
     pub(in crate::film) fn merge(&mut self, other: &Self) {
         self.max = self.max.max(other.max);
         self.squares += other.squares;
@@ -102,7 +102,7 @@ pub(super) fn over_both(
     let mut worst: Vec<(f64, [f64; 2])> = Vec::new();
     let measure = |task: &mut FitTask<'_>, i: f64, j: f64, errors: &mut Errors| {
         let (c, d) = point(i, j);
-        // The table reaches beyond the range of the thickness, where nobody asks.
+        // The part of the table beyond the range of the thickness is never looked up.
         if d > greatest && point(i, j.floor() - 1.0).1 > greatest {
             return 0.0;
         }

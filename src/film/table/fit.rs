@@ -72,7 +72,7 @@ fn grown(
 ) -> Result<Option<Fitted>, Error> {
     let limits = task.limits;
     let allowed = FOUND * limits.tolerance;
-    let mut held: Option<Fitted> = None;
+    let mut larger_fit: Option<Fitted> = None;
     for _ in 0..ATTEMPTS {
         let [width, height] = counts;
         if width * height > limits.size {
@@ -82,17 +82,17 @@ fn grown(
         let max = fitted.1.max;
         if max <= allowed {
             // A table that is much too good is made smaller once, and taken if the smaller one fails.
-            if held.is_some() || max > WASTED * allowed {
+            if larger_fit.is_some() || max > WASTED * allowed {
                 return Ok(Some(fitted));
             }
             let factor = (max / (0.7 * allowed)).cbrt().max(0.5);
             let smaller =
                 |count: usize| ((count as f64 * factor).ceil() as usize).max(LEAST_VALUES + 2);
             counts = counts.map(smaller);
-            held = Some(fitted);
+            larger_fit = Some(fitted);
             continue;
         }
-        if held.is_some() {
+        if larger_fit.is_some() {
             break;
         }
         // The greatest error is attributed to the worse coordinate, and the other one's is in
@@ -111,7 +111,7 @@ fn grown(
             larger
         };
     }
-    Ok(held)
+    Ok(larger_fit)
 }
 
 /// A table of a given size with its errors, and its errors along each coordinate alone at the worst

@@ -109,7 +109,7 @@ impl SplineTable {
         L::weighted_block(&self.points, self.row, block)
     }
 
-    /// Whether the thickness does not matter.
+    /// Whether the table is over the cosine alone.
     #[inline(always)]
     pub(in crate::film) fn is_over_cosine(&self) -> bool {
         self.row == 0

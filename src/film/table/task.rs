@@ -1,4 +1,4 @@
-//! What a table is fitted to.
+//! The task of fitting a table.
 
 use crate::num::Rgb;
 
@@ -18,7 +18,7 @@ pub(in crate::film) struct FitTask<'a> {
     pub limits: FitLimits,
 }
 
-/// What a table must hold.
+/// The limits of a table.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::film) struct FitLimits {
     /// The greatest error of a channel.

@@ -38,7 +38,7 @@ pub(in crate::film) struct TwoSidedTables {
     beyond: Option<Box<SplineTable>>,
 }
 
-/// Where a direction lies.
+/// The zone of a direction.
 enum Zone {
     /// Below the critical angle, at this cosine in the rarer half-space.
     Below(f64),
@@ -207,7 +207,7 @@ impl TwoSidedTables {
         if side == self.rarer {
             return Zone::Below(c);
         }
-        // In this order a small cosine keeps its digits between like media.
+        // In this order of operations a small cosine keeps its digits between media of similar index.
         let rare_squared = (1.0 - self.ratio) + self.ratio * c * c;
         if rare_squared >= 0.0 {
             return Zone::Below(rare_squared.sqrt());
@@ -274,7 +274,7 @@ fn fitted(
     };
     let layer = &description.layers[varying];
     let inside = layer.medium.index(MIDDLE_NM);
-    // A metal has no fringes that could be made upright.
+    // The fringes of a metal need not be made parallel to the axis.
     let tilt = index.map_or(0.0, |index| {
         if inside.im > inside.re {
             0.0

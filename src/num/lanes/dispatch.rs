@@ -1,9 +1,10 @@
-//! Runs code with the widest instructions that the processor has.
+//! Runs double-precision loops with AVX2 where the processor has it.
 
 #![allow(unsafe_code)]
 
-/// Calls `work`, compiled for AVX2 where the processor has it. Nothing is fused, so that every processor
-/// finds the same bits. `work` should be one loop over much: what it calls must be inlined to gain.
+/// Calls `work`, in a copy compiled for AVX2 where the processor has it. No operation is fused, so that
+/// every processor finds the same bits. `work` should be a long loop, and everything that it calls must be
+/// inlined to gain from AVX2.
 #[inline]
 pub fn widest<R>(work: impl FnOnce() -> R) -> R {
     #[cfg(target_arch = "x86_64")]

@@ -1,21 +1,22 @@
-//! Single-precision numbers side by side, as many as a register of the processor holds.
+//! A register of single-precision numbers, one per lane, for any set of instructions.
 //!
 //! Every operation returns, in each lane, exactly the bits that `f32` returns: no operation is fused, and no
 //! approximate inverse is used.
 
 #![allow(unsafe_code)]
 
-use super::super::real::{EXPONENT_SHIFT, SQRT_HALF_BITS};
+use super::super::elementary::elementary_methods;
+use super::super::scalar::{EXPONENT_SHIFT, SQRT_HALF_BITS};
 use super::super::{Mask, Real};
 use super::instructions::Instructions;
 use fearless_simd::prelude::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// Numbers side by side.
+/// A register of numbers, one per lane.
 #[derive(Clone, Copy, Debug)]
 pub struct F32Lanes<S: Instructions>(pub(super) S::f32s);
 
-/// A truth value per lane.
+/// A mask: one truth value per lane.
 #[derive(Clone, Copy)]
 pub struct F32Mask<S: Instructions>(S::mask32s);
 
@@ -137,4 +138,5 @@ impl<S: Instructions> Real for F32Lanes<S> {
         let bits: S::u32s = shifted.0.bitcast();
         Self((bits << 23).bitcast())
     }
+    elementary_methods!();
 }

@@ -1,44 +1,45 @@
-//! Four numbers in double precision side by side, in plain arrays: the compiler makes instructions of
-//! whatever width the processor has, and every width gives the same bits.
+//! Four double-precision numbers in a plain array. The compiler uses instructions of the width that the
+//! processor has, and every width gives the same bits.
 
 use super::super::{Mask, PI, Real};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// Four numbers.
+/// Four double-precision numbers, one per lane.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct F64x4([f64; F64x4::COUNT]);
 
-/// A truth value per number: all bits set or none.
+/// A mask: one truth value per lane, all bits set or none.
 #[derive(Clone, Copy, Debug)]
 pub struct F64Mask([u64; F64x4::COUNT]);
 
-/// 1.5 * 2^52: adding it rounds to a whole number, which is then in the lowest bits.
+/// 1.5 * 2^52. Adding it rounds to a whole number, whose integer is then in the lowest bits.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
-/// Below this e^x is 0: it would be less than the least normal number.
+/// The least argument of exp. Below it the result is 0, because e^x would be less than the least normal
+/// number.
 const LEAST_EXPONENT: f64 = -708.0;
-/// The greatest argument of exp.
+/// The greatest argument of exp; greater ones are clamped to it.
 const GREATEST_EXPONENT: f64 = 709.0;
-/// ln 2 in two parts; the first has so few digits that its products with whole exponents are exact.
+/// ln 2 in two parts. The first has few enough digits that its products with whole exponents are exact.
 const LN2_HIGH: f64 = 0.693_147_180_369_123_8;
 const LN2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
 impl F64x4 {
-    /// How many.
+    /// Number of lanes.
     pub const COUNT: usize = 4;
 
-    /// By their places.
+    /// The vector whose lane i is `number(i)`.
     #[inline(always)]
     pub fn from_fn(number: impl FnMut(usize) -> f64) -> Self {
         Self(std::array::from_fn(number))
     }
 
-    /// The numbers in their places.
+    /// The numbers in the order of the lanes.
     #[inline(always)]
     pub fn to_array(self) -> [f64; Self::COUNT] {
         self.0
     }
 
-    /// Their sum.
+    /// The sum of the lanes.
     #[inline(always)]
     pub fn sum(self) -> f64 {
         let [a, b, c, d] = self.0;
@@ -50,25 +51,8 @@ impl F64x4 {
         Self(std::array::from_fn(|i| f(self.0[i])))
     }
 
-    #[inline(always)]
-    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Self(std::array::from_fn(|i| f(self.0[i], other.0[i])))
-    }
-
-    #[inline(always)]
-    fn compare(self, other: Self, holds: impl Fn(f64, f64) -> bool) -> F64Mask {
-        let bits = |i: usize| {
-            if holds(self.0[i], other.0[i]) {
-                u64::MAX
-            } else {
-                0
-            }
-        };
-        F64Mask(std::array::from_fn(bits))
-    }
-
-    /// Cosine and sine of 2 pi x to 1e-11, for |x| < 2^50: Taylor's series about the nearest quarter of a
-    /// turn. The mathematical library would not do lanes, and differs from machine to machine.
+    /// Cosine and sine of 2 pi x for |x| < 2^50, with an error of 1e-11: Taylor's series about the nearest
+    /// quarter of a turn. The C library's functions do not work in lanes and differ between machines.
     #[inline(always)]
     pub fn circle(self) -> [Self; 2] {
         let whole = Self::new(WHOLE);
@@ -112,43 +96,31 @@ impl F64x4 {
 }
 
 macro_rules! operator {
-    ($trait:ident, $method:ident) => {
-        impl $trait for F64x4 {
+    ($type:ident, $trait:ident, $method:ident) => {
+        impl $trait for $type {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.with(other, $trait::$method)
+                Self(std::array::from_fn(|i| {
+                    $trait::$method(self.0[i], other.0[i])
+                }))
             }
         }
     };
 }
 
-operator!(Add, add);
-operator!(Sub, sub);
-operator!(Mul, mul);
-operator!(Div, div);
+operator!(F64x4, Add, add);
+operator!(F64x4, Sub, sub);
+operator!(F64x4, Mul, mul);
+operator!(F64x4, Div, div);
+operator!(F64Mask, BitAnd, bitand);
+operator!(F64Mask, BitOr, bitor);
 
 impl Neg for F64x4 {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
         self.map(Neg::neg)
-    }
-}
-
-impl BitAnd for F64Mask {
-    type Output = Self;
-    #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] & other.0[i]))
-    }
-}
-
-impl BitOr for F64Mask {
-    type Output = Self;
-    #[inline(always)]
-    fn bitor(self, other: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] | other.0[i]))
     }
 }
 
@@ -168,6 +140,41 @@ impl Mask for F64Mask {
     }
 }
 
+/// The methods that [`Real`] for `f64` does in each lane.
+macro_rules! per_lane {
+    ($($method:ident),*) => {
+        $(
+            #[inline(always)]
+            fn $method(self) -> Self {
+                self.map(Real::$method)
+            }
+        )*
+    };
+}
+
+macro_rules! per_lane_pair {
+    ($($method:ident),*) => {
+        $(
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(std::array::from_fn(|i| Real::$method(self.0[i], other.0[i])))
+            }
+        )*
+    };
+}
+
+macro_rules! comparison {
+    ($($method:ident),*) => {
+        $(
+            #[inline(always)]
+            fn $method(self, other: Self) -> F64Mask {
+                let is_set = |i: usize| Real::$method(self.0[i], other.0[i]);
+                F64Mask(std::array::from_fn(|i| if is_set(i) { u64::MAX } else { 0 }))
+            }
+        )*
+    };
+}
+
 impl Real for F64x4 {
     type Mask = F64Mask;
     const EPSILON: f64 = f64::EPSILON;
@@ -176,41 +183,12 @@ impl Real for F64x4 {
     fn new(value: f64) -> Self {
         Self([value; Self::COUNT])
     }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        self.map(f64::sqrt)
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        self.map(f64::abs)
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        self.with(other, Real::min)
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        self.with(other, Real::max)
-    }
-    #[inline(always)]
-    fn round(self) -> Self {
-        self.map(Real::round)
-    }
+    per_lane!(sqrt, abs, round, power_of_two, exp_m1, ln, ln_1p);
+    per_lane_pair!(min, max);
+    comparison!(lt, le, equals);
     #[inline(always)]
     fn is_finite(self) -> F64Mask {
         self.abs().lt(Self::new(f64::INFINITY))
-    }
-    #[inline(always)]
-    fn lt(self, other: Self) -> F64Mask {
-        self.compare(other, |a, b| a < b)
-    }
-    #[inline(always)]
-    fn le(self, other: Self) -> F64Mask {
-        self.compare(other, |a, b| a <= b)
-    }
-    #[inline(always)]
-    fn equals(self, other: Self) -> F64Mask {
-        self.compare(other, |a, b| a == b)
     }
     #[inline(always)]
     fn select(mask: F64Mask, yes: Self, no: Self) -> Self {
@@ -221,7 +199,7 @@ impl Real for F64x4 {
         Self(std::array::from_fn(chosen))
     }
 
-    /// Relative error 1e-14: x = n ln 2 + r, and Taylor's series of e^r.
+    /// x = n ln 2 + r, and Taylor's series of e^r. The relative error is 1e-14.
     #[inline(always)]
     fn exp(self) -> Self {
         let least = Self::new(LEAST_EXPONENT);
@@ -234,7 +212,7 @@ impl Real for F64x4 {
         for k in (1..=12).rev() {
             sum = Self::new(1.0) + r * sum * Self::new(1.0 / f64::from(k));
         }
-        // The whole number is in the lowest bits, from where a shift lifts it into the exponent.
+        // The integer n is in the lowest bits, from where a shift moves it into the exponent field.
         let power = shifted.map(|s| f64::from_bits((s.to_bits().wrapping_add(1023)) << 52));
         Self::select(self.lt(least), Self::new(0.0), sum * power)
     }
@@ -245,22 +223,6 @@ impl Real for F64x4 {
             Self(parts.map(|part| part.0)),
             Self(parts.map(|part| part.1)),
         )
-    }
-    #[inline(always)]
-    fn power_of_two(self) -> Self {
-        self.map(Real::power_of_two)
-    }
-    #[inline(always)]
-    fn exp_m1(self) -> Self {
-        self.map(f64::exp_m1)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        self.map(f64::ln)
-    }
-    #[inline(always)]
-    fn ln_1p(self) -> Self {
-        self.map(f64::ln_1p)
     }
     #[inline(always)]
     fn cos_turns(self) -> Self {

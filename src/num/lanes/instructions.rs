@@ -1,9 +1,9 @@
 //! Sets of SIMD instructions, and what table look-ups need of them.
 //!
-//! A register is one, two or four quads of four numbers. A table entry fills a quad, so that one load
-//! fetches all its numbers. Lane 4 q + n of a register is number n of quad q. The entries for the lanes n
-//! of all quads go into one register; transposing four such registers gives one register for each of an
-//! entry's numbers, in the order of the lanes.
+//! A register is one, two or four quads of four numbers each. A table entry fills a quad, so that one load
+//! fetches all its numbers. Lane 4 q + n of a register is number n of quad q. For each n from 0 to 3 one
+//! register holds the entries for lanes n of all quads. Transposing these four registers gives one register
+//! for each number of an entry, with the lanes in order.
 
 #![allow(unsafe_code)]
 
@@ -12,27 +12,27 @@ use fearless_simd::prelude::*;
 /// The greatest number of lanes.
 pub(super) const MAX_LANES: usize = 16;
 
-/// A set of instructions.
+/// A set of SIMD instructions.
 pub(super) trait Instructions: Simd {
-    /// Proves that the processor has them. Lanes exist only in code that [`super::Level::run`] started,
-    /// which has checked it.
+    /// Proves that the processor has the instructions. Lanes exist only in code that [`super::Level::run`]
+    /// started, which has checked that.
     const TOKEN: Self;
-    /// Whether they can round to whole numbers.
+    /// Whether there is an instruction that rounds to whole numbers.
     const ROUND: bool;
-    /// Loads into quad q the entry `index[4 q + n]` of the table that begins at `start`.
+    /// Loads the entry `index[4 q + n]` of the table that begins at `start` into quad q, for every q.
     ///
     /// # Safety
-    /// For every quad q, the entry must be within the table.
+    /// Every entry must be within the table.
     unsafe fn entries(
         self,
         start: *const [f32; 4],
         index: &[u32; MAX_LANES],
         n: usize,
     ) -> Self::f32s;
-    /// [`Instructions::entries`], and the two entries after each.
+    /// [`Instructions::entries`] for each entry and for the two entries after it.
     ///
     /// # Safety
-    /// As for [`Instructions::entries`], for all three.
+    /// All three entries must be within the table.
     #[inline(always)]
     unsafe fn three(
         self,
@@ -55,11 +55,12 @@ pub(super) trait Instructions: Simd {
     fn transposed(self, rows: [Self::f32s; 4]) -> [Self::f32s; 4];
 }
 
-/// The constants that are written alike for all of them.
+/// The constants, which are written alike for every set of instructions.
 macro_rules! token {
     ($round:expr) => {
         const ROUND: bool = $round;
-        // SAFETY: lanes of these instructions exist only where `Level::run` has found them.
+        // SAFETY: lanes of these instructions exist only in code that `Level::run` started after checking
+        // the processor.
         const TOKEN: Self = unsafe { Self::assume_supported() };
     };
 }
@@ -110,7 +111,7 @@ one_quad!(Sse2: false);
 #[cfg(target_arch = "aarch64")]
 one_quad!(Neon: true);
 
-/// The methods that differ in the width of the instructions alone.
+/// The methods that differ only in the width of the intrinsics.
 #[cfg(target_arch = "x86_64")]
 macro_rules! wide_quads {
     ($permute:ident, $unpack_low:ident, $unpack_high:ident, $shuffle:ident) => {

@@ -1,20 +1,20 @@
-//! Sets of instructions chosen at run time, and work that runs with any of them.
+//! The choice of SIMD instructions at run time, and work that runs with any of them.
 
 use super::super::Lane;
 use super::f32_lanes::F32Lanes;
 use super::instructions::Instructions;
 use crate::error::Error;
 
-/// Work that is written once for lanes of every width.
+/// Work that is written once for any number of lanes.
 pub trait Work<T> {
     /// The result.
     type Output;
-    /// Does the work with `L::COUNT` numbers side by side. This and everything that it calls in its inner
-    /// loops must be `#[inline(always)]`: only inlined code uses the instructions.
+    /// Does the work in lanes of type `L`. This method and everything that it calls in its inner loops must
+    /// be `#[inline(always)]`, because only inlined code uses the instructions.
     fn run<L: Lane<Scalar = T>>(self) -> Self::Output;
 }
 
-/// A set of instructions that this processor has.
+/// A set of SIMD instructions that this processor has, or none ("scalar").
 #[derive(Clone, Copy, Debug)]
 pub struct Level(Width);
 
@@ -25,16 +25,16 @@ enum Width {
 }
 
 impl Level {
-    /// One number at a time: what single calls use.
+    /// One number at a time, as in single calls.
     pub const SCALAR: Self = Self(Width::Single);
 
-    /// The widest that this processor has.
+    /// The level with the widest registers that this processor has.
     pub fn widest() -> Self {
         Self(Width::Lanes(fearless_simd::Level::new()))
     }
 
-    /// All that this processor has, the narrowest first, without [`Level::SCALAR`] where there are wider
-    /// ones.
+    /// All levels that this processor has, the narrowest first; [`Level::SCALAR`] only if there is no
+    /// other.
     pub fn all() -> Vec<Self> {
         let best = fearless_simd::Level::new();
         #[cfg(target_arch = "x86_64")]
@@ -51,17 +51,17 @@ impl Level {
         vec![Self(Width::Lanes(best))]
     }
 
-    /// The level of that [`Level::name`].
+    /// The level with that [`Level::name`].
     ///
     /// # Errors
-    /// `UnknownName`, if this processor has none of that name; the message lists those that it has.
+    /// `UnknownName`, if this processor has no level of that name; the message lists the names that it has.
     pub fn named(name: &str) -> Result<Self, Error> {
         let levels = || std::iter::once(Self::SCALAR).chain(Self::all());
         let found = levels().find(|level| level.name() == name);
         found.ok_or_else(|| Error::unknown("simd_level", name, levels().map(Self::name)))
     }
 
-    /// "scalar", "sse2", "avx2", "avx512" or "neon".
+    /// The name: "scalar", "sse2", "avx2", "avx512" or "neon".
     pub fn name(self) -> &'static str {
         use fearless_simd::Level as Found;
         match self.0 {
@@ -79,15 +79,15 @@ impl Level {
         }
     }
 
-    /// Whether it is one number at a time.
+    /// Whether this is [`Level::SCALAR`].
     pub fn is_scalar(self) -> bool {
         self.name() == "scalar"
     }
 
-    /// Does the work with these instructions.
+    /// Does the work with the instructions of this level.
     ///
     /// # Panics
-    /// At the level "scalar", for which single calls are made: no loop is compiled for it.
+    /// At the level "scalar": no loop is compiled for it, because its callers make single calls instead.
     #[inline]
     pub fn run<W: Work<f32>>(self, work: W) -> W::Output {
         use fearless_simd::Level as Found;

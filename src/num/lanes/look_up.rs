@@ -1,6 +1,7 @@
 //! Table look-ups in lanes: entries, and weighted sums of entries.
 //!
-//! In each lane the sum is that of a single look-up: the same products, added in the same order.
+//! Each lane forms the same products as a single look-up and adds them in the same order, so that the bits
+//! are the same.
 
 #![allow(unsafe_code)]
 
@@ -12,7 +13,7 @@ use super::f32_lanes::F32Lanes;
 use super::instructions::{Instructions, MAX_LANES};
 use fearless_simd::prelude::*;
 
-/// The four numbers of each lane's table entry, one register for each number.
+/// The table entry of each lane, one register for each of its four numbers.
 type Numbers<S> = [F32Lanes<S>; 4];
 
 /// [`unbiased`] of each lane.
@@ -22,10 +23,11 @@ fn unbiased_lanes<S: Instructions>(biased: F32Lanes<S>) -> S::u32s {
     bits & 0x007f_ffff
 }
 
-/// The indices, after checking that each has at least `after` entries behind it in a table of `length`.
+/// The indices as an array, after a check that at least `after` entries follow each of them in a table of
+/// `length` entries.
 ///
 /// # Panics
-/// If one has not.
+/// If fewer entries follow an index.
 #[inline(always)]
 fn within<S: Instructions>(index: S::u32s, after: usize, length: usize) -> [u32; MAX_LANES] {
     let Some(last) = length.checked_sub(after + 1) else {
@@ -40,7 +42,7 @@ fn within<S: Instructions>(index: S::u32s, after: usize, length: usize) -> [u32;
     indices
 }
 
-/// Takes no arguments: callers would have to prepare them in the fast path.
+/// It takes no arguments, because callers would prepare them in the fast path too.
 #[cold]
 #[inline(never)]
 fn outside() -> ! {
@@ -67,6 +69,12 @@ impl<S: Instructions> Lane for F32Lanes<S> {
     #[inline(always)]
     fn store(self, numbers: &mut [f32]) {
         self.0.store_slice(numbers);
+    }
+    #[inline(always)]
+    unsafe fn write(self, target: *mut f32) {
+        let numbers = self.0.as_slice();
+        // SAFETY: the caller vouches for the target.
+        unsafe { target.copy_from_nonoverlapping(numbers.as_ptr(), numbers.len()) };
     }
     triple_methods!();
 
@@ -109,7 +117,7 @@ impl<S: Instructions> Lane for F32Lanes<S> {
     }
 }
 
-/// The same table, if its entries are four numbers.
+/// The same table, if its entries have four numbers.
 #[inline(always)]
 fn fours<const N: usize>(table: &[[f32; N]]) -> Option<&[[f32; 4]]> {
     let (entries, rest) = table.as_flattened().as_chunks();
@@ -146,7 +154,8 @@ pub(super) fn weighted_block<S: Instructions>(
     stride: usize,
     block: TableBlock<F32Lanes<S>>,
 ) -> Triple<F32Lanes<S>> {
-    // No sum overflows if the stride is less than the length, as a slice's bytes are at most isize::MAX.
+    // No sum below overflows if the stride is less than the length, because a slice has at most isize::MAX
+    // bytes.
     if stride >= table.len() {
         outside();
     }
@@ -154,7 +163,7 @@ pub(super) fn weighted_block<S: Instructions>(
         unbiased_lanes(block.first[0]),
         unbiased_lanes(block.first[1]),
     ];
-    // What wraps is still an index, if another one.
+    // A product that wraps gives another index, which `within` checks too.
     let index = within::<S>(row * stride as u32 + column, 2 * stride + 2, table.len());
     let across = each!(block.across, |weight| S::TOKEN.spread(weight.0));
     let along = each!(block.along, |weight| S::TOKEN.spread(weight.0));
@@ -172,10 +181,10 @@ pub(super) fn weighted_block<S: Instructions>(
     Triple([r, g, b])
 }
 
-/// The weighted sum of three entries for the lanes n of all quads.
+/// The weighted sum of three entries, for lanes n of all quads.
 ///
 /// # Safety
-/// Each index and the two after it must be in the table that begins at `start`.
+/// For each index the entry and the two after it must be in the table that begins at `start`.
 #[inline(always)]
 unsafe fn row_sum<S: Instructions>(
     start: *const [f32; 4],
@@ -191,10 +200,10 @@ unsafe fn row_sum<S: Instructions>(
     )
 }
 
-/// [`row_sum`] of three rows, weighted.
+/// The weighted sum of [`row_sum`] over three rows.
 ///
 /// # Safety
-/// All must be in the table that begins at `start`.
+/// All entries must be in the table that begins at `start`.
 #[inline(always)]
 unsafe fn block_sum<S: Instructions>(
     start: *const [f32; 4],
@@ -243,167 +252,4 @@ fn transposed<S: Instructions>([a, b, c, d]: Numbers<S>) -> Numbers<S> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::{Level, Work};
-    use super::*;
-    use std::panic::catch_unwind;
-
-    const STRIDE: usize = 7;
-
-    /// Colours without a pattern, exact in single precision.
-    fn colors() -> Vec<[f32; 3]> {
-        let number = |i: usize| (i * 2_654_435_761 % 10_007) as f32 / 8192.0 - 0.5;
-        (0..STRIDE * 5)
-            .map(|i| [number(3 * i), number(3 * i + 1), number(3 * i + 2)])
-            .collect()
-    }
-
-    fn table() -> Vec<TableEntry<f32>> {
-        colors().into_iter().map(TableEntry::new).collect()
-    }
-
-    /// Sixteen look-ups by all methods, as many at once as the level does.
-    struct Sixteen<'a> {
-        table: &'a [TableEntry<f32>],
-        fours: &'a [[f32; 4]],
-        threes: &'a [[f32; 3]],
-        /// Column, row and index for the plain entries.
-        first: [[f32; MAX_LANES]; 3],
-        weights: [[f32; MAX_LANES]; 6],
-    }
-
-    /// By method and number of the place: a row's sum, a block's, and entries of four and three.
-    type Found = [[f32; MAX_LANES]; 13];
-
-    impl Work<f32> for Sixteen<'_> {
-        type Output = Found;
-
-        #[inline(always)]
-        fn run<L: Lane<Scalar = f32>>(self) -> Found {
-            let mut found = [[0.0; MAX_LANES]; 13];
-            for from in (0..MAX_LANES).step_by(L::COUNT) {
-                let places = from..from + L::COUNT;
-                let load = |numbers: &[f32; MAX_LANES]| L::load(&numbers[places.clone()]);
-                let [column, row, index] = self.first.each_ref().map(load);
-                let [column, row] = [column, row].map(|number| number + L::new(INDEX_BIAS));
-                let [a, b, c, d, e, f] = self.weights.each_ref().map(load);
-                let block = TableBlock {
-                    first: [column, row],
-                    across: [a, b, c],
-                    along: [d, e, f],
-                };
-                let along_row = L::channels(L::weighted_row(self.table, column, [a, b, c]));
-                let in_block = L::channels(L::weighted_block(self.table, STRIDE, block));
-                let four = L::load_entry(self.fours, index);
-                let three = L::load_entry(self.threes, index);
-                let all = along_row
-                    .into_iter()
-                    .chain(in_block)
-                    .chain(four)
-                    .chain(three);
-                for (found, numbers) in found.iter_mut().zip(all) {
-                    numbers.store(&mut found[places.clone()]);
-                }
-            }
-            found
-        }
-    }
-
-    /// Every place finds what the plain definition finds for it alone, with all sets of instructions; and
-    /// plain entries are held to the table, the first for NaN.
-    #[test]
-    fn places_are_independent() {
-        let (colors, table) = (colors(), table());
-        let fours: Vec<[f32; 4]> = (0..5)
-            .map(|i| [0, 1, 2, 3].map(|c| (10 * i + c) as f32))
-            .collect();
-        let threes: Vec<[f32; 3]> = (0..5)
-            .map(|i| [5, 6, 7].map(|c| (10 * i + c) as f32))
-            .collect();
-        let held = [
-            0.0,
-            4.0,
-            3.0,
-            f32::NAN,
-            -3.0,
-            1e9,
-            f32::INFINITY,
-            f32::NEG_INFINITY,
-        ];
-        let entry = [0, 4, 3, 0, 0, 4, 4, 0];
-        let first = [
-            std::array::from_fn(|i| (i * 3 % (STRIDE - 2)) as f32),
-            std::array::from_fn(|i| (i * 2 % 3) as f32),
-            std::array::from_fn(|i| held[i % 8]),
-        ];
-        let weights: [[f32; MAX_LANES]; 6] = [0, 1, 2, 3, 4, 5]
-            .map(|w| std::array::from_fn(|i| ((i * 7 + w * 5) % 23) as f32 / 19.0));
-        for level in Level::all() {
-            let found = level.run(Sixteen {
-                table: &table,
-                fours: &fours,
-                threes: &threes,
-                first,
-                weights,
-            });
-            for i in 0..MAX_LANES {
-                let name = level.name();
-                let [column, row] = [first[0][i] as usize, first[1][i] as usize];
-                let sum = |from: usize, c: usize| {
-                    colors[from][c] * weights[0][i]
-                        + colors[from + 1][c] * weights[1][i]
-                        + colors[from + 2][c] * weights[2][i]
-                };
-                for c in 0..3 {
-                    assert_eq!(found[c][i], sum(column, c), "row, {name}, place {i}");
-                    let rows = [0, 1, 2].map(|k| sum((row + k) * STRIDE + column, c));
-                    let all =
-                        rows[0] * weights[3][i] + rows[1] * weights[4][i] + rows[2] * weights[5][i];
-                    assert_eq!(found[3 + c][i], all, "block, {name}, place {i}");
-                    assert_eq!(
-                        found[10 + c][i],
-                        threes[entry[i % 8]][c],
-                        "three, {name}, place {i}"
-                    );
-                }
-                for c in 0..4 {
-                    assert_eq!(
-                        found[6 + c][i],
-                        fours[entry[i % 8]][c],
-                        "four, {name}, place {i}"
-                    );
-                }
-            }
-        }
-    }
-
-    /// What is outside the table is never read, in whichever place it is.
-    #[test]
-    fn outside_panics() {
-        let table = table();
-        for level in Level::all() {
-            for place in 0..MAX_LANES {
-                // The last row's third column from the end, and the one after it.
-                for (column, is_inside) in [(STRIDE - 3, true), (STRIDE - 2, false)] {
-                    let mut first = [[0.0; MAX_LANES]; 3];
-                    first[0][place] = column as f32;
-                    first[1][place] = 2.0;
-                    let work = Sixteen {
-                        table: &table,
-                        fours: &[[0.0; 4]],
-                        threes: &[[0.0; 3]],
-                        first,
-                        weights: [[0.5; MAX_LANES]; 6],
-                    };
-                    let outcome = catch_unwind(|| level.run(work));
-                    assert_eq!(
-                        outcome.is_ok(),
-                        is_inside,
-                        "{}, place {place}",
-                        level.name()
-                    );
-                }
-            }
-        }
-    }
-}
+mod tests;

@@ -1,4 +1,5 @@
-//! The SIMD types. Only [`F64x4`] is named outside this folder.
+//! SIMD types. Formulas are generic over [`Lane`](super::Lane); only [`F64x4`] is named outside this
+//! folder.
 
 mod dispatch;
 mod f32_lanes;

@@ -1,17 +1,18 @@
-//! Red, green and blue in the four lanes of an SSE2 register, which every x86-64 processor has. The
-//! fourth lane repeats blue, so that it never holds a number that is slow or raises a flag.
+//! Red, green and blue in the four lanes of an SSE2 register, which every x86-64 processor has. The fourth
+//! lane repeats blue, so that it adds no subnormal number and no floating-point exception of its own.
 
 #![allow(unsafe_code)]
 
+use super::super::elementary::elementary_methods;
 use super::super::lane::scalar_methods;
-use super::super::real::{EXPONENT_SHIFT, SQRT_HALF_BITS};
+use super::super::scalar::{EXPONENT_SHIFT, SQRT_HALF_BITS};
 use super::super::table::{TableBlock, TableEntry, unbiased, weighted};
 use super::super::{Lane, Mask, Real};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// An expression of SSE2 intrinsics. They are on values, none takes a
-/// pointer; they are unsafe to call merely because other processors might lack the instructions.
+/// An expression of SSE2 intrinsics that take values, no pointers. They are unsafe to call only because
+/// other processors might lack the instructions.
 macro_rules! sse2 {
     ($expression:expr) => {
         // SAFETY: SSE2 is part of the x86-64 baseline, for which alone this file is compiled.
@@ -19,11 +20,11 @@ macro_rules! sse2 {
     };
 }
 
-/// Three channels in single precision.
+/// Three colour channels in single precision.
 #[derive(Clone, Copy, Debug)]
 pub struct RgbLanes(__m128);
 
-/// A truth value per lane: all bits set or none.
+/// A mask: one truth value per lane, all bits set or none.
 #[derive(Clone, Copy, Debug)]
 pub struct RgbMask(__m128);
 
@@ -66,27 +67,27 @@ impl Lane for f32 {
     }
 }
 
-/// Three entries from each of three rows of a table, the first at `from`, the rows `stride` entries
-/// apart.
+/// Loads three entries from each of three rows of a table. The first entry is at `from`, and rows are
+/// `stride` entries apart.
 ///
 /// # Panics
-/// If they are not all in the table.
+/// If an entry is outside the table.
 #[inline(always)]
 fn load_block(table: &[TableEntry<f32>], from: usize, stride: usize) -> [[RgbLanes; 3]; 3] {
-    // No sum overflows, as a slice's bytes are at most isize::MAX.
+    // No sum overflows, because a slice has at most isize::MAX bytes.
     if stride >= table.len() || from >= table.len() || from + 2 * stride + 2 >= table.len() {
         outside();
     }
     let start = table.as_ptr();
     std::array::from_fn(|row| {
         std::array::from_fn(|entry| {
-            // SAFETY: at most from + 2 stride + 2, which is in the table; entries are aligned.
+            // SAFETY: the index is at most from + 2 stride + 2, which is in the table; entries are aligned.
             RgbLanes(unsafe { _mm_load_ps(start.add(from + row * stride + entry).cast()) })
         })
     })
 }
 
-/// Without arguments, which every call would have to get ready.
+/// It takes no arguments, because callers would prepare them in the fast path too.
 #[cold]
 #[inline(never)]
 fn outside() -> ! {
@@ -164,7 +165,7 @@ impl Real for RgbLanes {
     }
     #[inline(always)]
     fn round(self) -> Self {
-        // As for f32: 2^23 of the same sign, where all floats are whole.
+        // As for f32: add and subtract 2^23 of the same sign.
         let whole = Self::new(8_388_608.0);
         let sign = sse2!(_mm_and_ps(self.0, _mm_set1_ps(-0.0)));
         let shift = sse2!(Self(_mm_or_ps(whole.0, sign)));
@@ -211,17 +212,17 @@ impl Real for RgbLanes {
             _mm_castps_si128(shifted.0)
         ))))
     }
+    elementary_methods!();
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A function's name, its scalar form, its form in lanes.
+    /// The name of a function, its scalar form and its form in lanes.
     type Unary = (&'static str, fn(f32) -> f32, fn(RgbLanes) -> RgbLanes);
 
-    /// Guards the second implementation of every operation: each lane gives, to the bit, what the
-    /// scalar operation gives.
+    /// Each lane of every operation has the bits of the scalar operation.
     #[test]
     fn lanes_equal_scalars() {
         let numbers = [

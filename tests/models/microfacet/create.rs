@@ -162,7 +162,7 @@ fn dielectrics_are_denser_than_vacuum() {
         &["eta[1]", "0.9", "[1, 10]"],
     );
     assert_accepted(&of("conductor"));
-    assert_accepted(&of("schlick"));
+    assert_refused(&of("schlick"), Status::InvalidArgument, &["eta", "schlick"]);
     let thin = microfacet().set("eta", &[0.001]);
     assert_refused(&thin, Status::OutOfRange, &["eta", "0.01"]);
     let opaque = microfacet().set("k", &[21.0]);

@@ -1,11 +1,12 @@
 //! The formulas of the layered model, eq. 1-16, in both variants.
 
 use super::super::power_lobe::{Power, conserving_normalization};
-use super::{
+use super::params::{
     AMBIENT_ETA, BASE, BASE_NORMAL, DIFFUSE_WEIGHT, ETA, EXPONENT_REFLECTION,
     EXPONENT_TRANSMISSION, PHASE_SHIFT, PHASE_SHIFT_HALF_WAVE, SPECULAR_WEIGHT, THICKNESS_NM,
     VARIANT, VARIANT_PAPER,
 };
+use super::terms::{Shapes, SpecularTerms, TermsUsed, Upper, average_transmittance};
 use crate::bsdf::compiled::Compiled;
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
@@ -14,10 +15,10 @@ use crate::optics::{
     Interface, RGB_WAVELENGTHS_NM, normal_reflectance, schlick, schlick_transmittance,
 };
 
-/// The parameters, for one surface or one in each lane.
+/// The values of the parameters and what follows from them, for one surface or for one in each lane.
 ///
-/// What depends on the wavelength has the type [`Lane::Rgb`]: the formulas are written for one
-/// channel and hold for three at once.
+/// Quantities that depend on the wavelength have the type [`Lane::Rgb`]: the formulas are written for one
+/// channel and evaluated for three at once.
 #[derive(Clone, Copy)]
 pub struct LayeredSurface<T: Lane> {
     pub(super) upper: Upper<T::Rgb>,
@@ -31,12 +32,12 @@ pub struct LayeredSurface<T: Lane> {
     pub(super) specular_weight: T,
     pub(super) diffuse_weight: T,
     pub(super) is_paper: bool,
-    /// Factors of R and of T: 1 and 1 in `paper`, the lobes' normalisations in `energy`.
+    /// The factors of R and T: 1 in `paper`, the normalisations of the lobes in `energy`.
     pub(super) scale_reflection: T,
     pub(super) scale_transmission: T,
-    /// rho_d of eq. 16, at the present thickness.
+    /// rho_d of eq. 16 at `thickness_nm`.
     pub(super) rho_d: T::Rgb,
-    /// Turns of phase for each nanometre of path in the layer: r1 / lambda.
+    /// Turns of phase per nanometre of path in the layer, r1 / lambda.
     turns_per_nm: T::Rgb,
     /// 2 sqrt(T_d (1 - T_d)) of eq. 16.
     diffuse_contrast: T::Rgb,
@@ -44,90 +45,6 @@ pub struct LayeredSurface<T: Lane> {
     /// Added to 2 Phi, in turns.
     phase_shift: T,
     pub(super) terms_used: TermsUsed,
-}
-
-/// What follows from the values that do not vary.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct TermsUsed {
-    /// The layer has one index for all channels: what but the phase depends on it is found once.
-    pub is_gray: bool,
-    /// The lower boundary is parallel to the upper one.
-    pub is_parallel: bool,
-    /// The specular weight is not 0.
-    pub specular: bool,
-    /// The diffuse weight is not 0.
-    pub diffuse: bool,
-}
-
-/// The upper boundary.
-#[derive(Clone, Copy)]
-pub(super) struct Upper<C> {
-    pub interface: Interface<C>,
-    /// Reflectance at normal incidence, f of eq. 8.
-    pub f0: C,
-    /// (r0 / r1)^2.
-    pub compression: C,
-}
-
-impl<C: Real> Upper<C> {
-    /// The first channel's in all of them: lanes compute what is the same for all but once.
-    #[inline(always)]
-    fn gray<T: Lane<Rgb = C>>(&self) -> Self {
-        let [f0, ..] = T::channels(self.f0);
-        let [compression, ..] = T::channels(self.compression);
-        Self {
-            interface: self.interface.gray::<T>(),
-            f0: f0.gray(),
-            compression: compression.gray(),
-        }
-    }
-}
-
-/// The three terms of the specular part, before the weights.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct SpecularTerms<C> {
-    /// R of eq. 6, or f_R.
-    pub reflected: C,
-    /// T of eq. 10, or f_T.
-    pub transmitted: C,
-    /// sqrt(R T)
-    pub amplitude: C,
-    /// 2 Phi of eq. 3 (the phase difference of eq. 5), in turns: Phi / pi.
-    pub turns: C,
-}
-
-impl<C: Real> SpecularTerms<C> {
-    /// (R + T + 2 cos(2 Phi) sqrt(R T)) / 2: eq. 5.
-    #[inline(always)]
-    pub fn interference(&self) -> C {
-        C::new(0.5) * (self.reflected + self.transmitted) + self.turns.cos_turns() * self.amplitude
-    }
-}
-
-/// Both lobes' shapes at a pair of directions: what value and density share.
-#[derive(Clone, Copy)]
-pub(super) struct Shapes<T: Lane> {
-    /// Root of max(0, <r_i, wo>)^e0.
-    mirror_root: T,
-    /// Root of max(0, <r_ii, -i_o>)^e1, 0 under the null conditions.
-    refracted_root: T::Rgb,
-    /// Cosines inside the layer of the light's and the viewer's ray.
-    pub cos_ii: T::Rgb,
-    pub cos_io: T::Rgb,
-}
-
-impl<T: Lane> Shapes<T> {
-    /// max(0, <r_i, wo>)^e0.
-    #[inline(always)]
-    pub fn mirror(&self) -> T {
-        self.mirror_root.squared()
-    }
-
-    /// max(0, <r_ii, -i_o>)^e1, 0 under the null conditions.
-    #[inline(always)]
-    pub fn refracted(&self) -> T::Rgb {
-        self.refracted_root.squared()
-    }
 }
 
 impl<T: Precision> Compiled<T> for LayeredSurface<T> {
@@ -182,8 +99,8 @@ impl<T: Precision> Compiled<T> for LayeredSurface<T> {
     }
 }
 
-fn chosen((is_so, words): (bool, &'static str)) -> Option<&'static str> {
-    is_so.then_some(words)
+fn chosen((is_used, words): (bool, &'static str)) -> Option<&'static str> {
+    is_used.then_some(words)
 }
 
 impl<T: Lane> LayeredSurface<T> {
@@ -249,8 +166,8 @@ impl<T: Lane> LayeredSurface<T> {
         surface
     }
 
-    /// The diffuse part depends on the thickness alone, so it is kept with it: eq. 16,
-    /// 1 + 2 cos(4 pi r1 d / lambda) sqrt(T_d (1 - T_d)).
+    /// Sets the thickness and rho_d, which depends on it alone: eq. 16, 1 + 2 cos(4 pi r1 d / lambda)
+    /// sqrt(T_d (1 - T_d)).
     #[inline(always)]
     fn set_thickness(&mut self, thickness_nm: T) {
         self.thickness_nm = thickness_nm;
@@ -268,13 +185,14 @@ impl<T: Lane> LayeredSurface<T> {
         }
     }
 
-    /// Value, and the lobes' shapes for densities; nothing without specular part.
+    /// The value, and the shapes of the lobes for densities; no shapes without a specular part.
     #[inline(always)]
     pub(super) fn eval_shapes(&self, wo: Vec3<T>, wi: Vec3<T>) -> (Rgb<T>, Option<Shapes<T>>) {
         if !self.terms_used.specular {
             return (self.value(None, wi), None);
         }
-        // In lanes what is the same for all channels is found once; alone they share a register.
+        // In lanes, equal channels are computed once. In single calls the channels share a register, so
+        // that there is nothing to save.
         if T::COUNT > 1 && self.terms_used.is_gray {
             return self.eval_with(&self.upper.gray::<T>(), wo, wi);
         }
@@ -302,32 +220,32 @@ impl<T: Lane> LayeredSurface<T> {
         let across_squared = across[0].squared() + across[1].squared();
         let complement = half * (across_squared + (wi.z - wo.z).squared());
         let root = self.power_reflection.root(complement);
-        // Exponent 0 reflects to the whole hemisphere, also where <r_i, wo> <= 0: eq. 12 averages
+        // Exponent 0 reflects to the whole hemisphere, also where <r_i, wo> <= 0: eq. 12 is the mean for
         // that case.
-        let whole = self.exponent_reflection.equals(T::new(0.0));
-        let mirror_root = T::select(whole, T::new(1.0), root);
-        // Of a = -i_i and b = -i_o, both rays inside, pointing up.
+        let is_hemispherical = self.exponent_reflection.equals(T::new(0.0));
+        let mirror_root = T::select(is_hemispherical, T::new(1.0), root);
+        // The rays inside, a = -i_i and b = -i_o, point up.
         let zero = T::Rgb::new(0.0);
         let ratio = upper.interface.ratio();
         let cos_ii = upper.interface.cosine_inside(wi.z.gray());
         let cos_io = upper.interface.cosine_inside(wo.z.gray());
         let is_inside = cos_ii.gt(zero) & cos_io.gt(zero);
-        // r_ii, the mirror of a at n1, less b.
-        let (distance_squared, possible) = if self.terms_used.is_parallel {
-            let flat = ratio.squared() * across_squared.gray();
-            (flat + (cos_ii - cos_io).squared(), is_inside)
+        // The difference of r_ii, which is a mirrored about n1, and b.
+        let (distance_squared, is_possible) = if self.terms_used.is_parallel {
+            let refracted_squared = ratio.squared() * across_squared.gray();
+            (refracted_squared + (cos_ii - cos_io).squared(), is_inside)
         } else {
             let n1 = self.base_normal;
             let a_dot_n1 = ratio * (n1.x * wi.x + n1.y * wi.y).gray() + n1.z.gray() * cos_ii;
             let b_dot_n1 = ratio * (n1.x * wo.x + n1.y * wo.y).gray() + n1.z.gray() * cos_io;
             let twice = T::Rgb::new(2.0) * a_dot_n1;
-            let apart = Vec3::new(
+            let difference = Vec3::new(
                 n1.x.gray() * twice - ratio * across[0].gray(),
                 n1.y.gray() * twice - ratio * across[1].gray(),
                 n1.z.gray() * twice - (cos_ii + cos_io),
             );
             let is_seen = is_inside & a_dot_n1.gt(zero) & b_dot_n1.gt(zero);
-            (apart.length_squared(), is_seen)
+            (difference.length_squared(), is_seen)
         };
         let root = self
             .power_transmission
@@ -335,14 +253,14 @@ impl<T: Lane> LayeredSurface<T> {
             .root(half.gray() * distance_squared);
         Shapes {
             mirror_root,
-            // Null conditions after eq. 10 (the third is in the power), and total reflection.
-            refracted_root: T::Rgb::select(possible, root, zero),
+            // The null conditions after eq. 10 (the third one is in the power), and total reflection.
+            refracted_root: T::Rgb::select(is_possible, root, zero),
             cos_ii,
             cos_io,
         }
     }
 
-    /// R, T and phase: eq. 3, 6, 7, 8, 9, 10 (`paper`), f_R and f_T (`energy`).
+    /// R, T and the phase: eq. 3 and 6 to 10 (`paper`), or f_R and f_T (`energy`).
     #[inline(always)]
     pub(super) fn terms(
         &self,
@@ -358,13 +276,13 @@ impl<T: Lane> LayeredSurface<T> {
             (fresnel_i, (one - fresnel_i) * out)
         } else {
             let fresnel_o = schlick(upper.f0, wo.z.gray());
-            let both = (one - fresnel_i) * (one - fresnel_o) * upper.compression;
-            (fresnel_i.min(fresnel_o), both)
+            let crossings = (one - fresnel_i) * (one - fresnel_o) * upper.compression;
+            (fresnel_i.min(fresnel_o), crossings)
         };
         let reflected = self.scale_reflection.gray() * fresnel;
         let transmitted = self.scale_transmission.gray() * crossings;
         let path = self.thickness_nm.gray() * (shapes.cos_ii + shapes.cos_io);
-        // The root of the product by the lobes' roots: the product itself may be too small for a number.
+        // sqrt(R T) is computed from the roots of the lobes, because the product R T may underflow.
         let roots = shapes.mirror_root.gray() * shapes.refracted_root;
         let transmitted = self.base * transmitted;
         SpecularTerms {
@@ -386,7 +304,7 @@ impl<T: Lane> LayeredSurface<T> {
     fn value(&self, terms: Option<&SpecularTerms<T::Rgb>>, wi: Vec3<T>) -> Rgb<T> {
         let mut value = T::Rgb::new(0.0);
         if let Some(terms) = terms {
-            // Full extinction may round below 0.
+            // At full extinction, rounding may give less than 0.
             value = self.specular_weight.gray() * terms.interference().max(value);
         }
         if self.terms_used.diffuse {
@@ -394,9 +312,4 @@ impl<T: Lane> LayeredSurface<T> {
         }
         T::channels(value * wi.z.gray())
     }
-}
-
-/// T_d = 80/21 r0 r1 / (r1 + r0)^2: eq. 13, the complement of eq. 12.
-pub(super) fn average_transmittance<T: Real>(r0: T, r1: T) -> T {
-    T::new(80.0 / 21.0) * r0 * r1 / (r1 + r0).squared()
 }

@@ -1,16 +1,16 @@
 //! # `layered`: a thin layer on an object, with interference at three wavelengths
 //!
-//! The model of Granier and Heidrich 2002, "A Simple Layered RGB BRDF Model" (GH02): light reflected
-//! by the upper boundary of a layer interferes with light that traversed the layer once and was
-//! reflected by its lower boundary, whose normal may deviate. A diffuse part follows the thickness.
+//! The model of Granier and Heidrich 2002, "A Simple Layered RGB BRDF Model" (GH02): light reflected by the
+//! upper boundary of a layer interferes with light that crossed the layer and was reflected once by its
+//! lower boundary, whose normal may differ. The colour of a diffuse part depends on the thickness too.
 //!
-//! Indices: 0 the ambient, 1 the layer, 2 the object. Per channel, at 645, 525 and 445 nm.
+//! Subscripts: 0 is the ambient, 1 the layer, 2 the object. Each channel has one wavelength: 645, 525 and
+//! 445 nm.
 //!
-//! **Variants.** `paper` is the formulas to the letter (with the misprints below mended): its lobes
-//! are not normalised and it is not reciprocal, since the Fresnel factor sees the light's side only
-//! and the two crossings of the upper boundary take their cosines in different media: there the
-//! roles of wi (light) and wo (viewer) matter. `energy`, the default, has the same parameters,
-//! colours and lobe shapes, is reciprocal, and its albedo is at most 1:
+//! **Variants.** `paper` has the formulas as printed, with the misprints below corrected. Its lobes are not
+//! normalised, and it is not reciprocal, because its Fresnel factor depends on the light's cosine only and
+//! the two crossings of the upper boundary take their cosines in different media. `energy`, the default,
+//! has the same parameters, colours and lobe shapes, is reciprocal, and has an albedo of at most 1:
 //!
 //! ```text
 //! f_R = min(F(wi), F(wo)) (e0 + 2) / (2 pi) max(0, <r_i, wo>)^e0
@@ -24,61 +24,41 @@
 //!
 //! **Misprints and limits of the paper.**
 //! 1. Eq. 10 prints F(i); with eq. 6 and 7 it must be F(-i), the cosine on the light's side.
-//! 2. Eq. 1 prints <i, -n0> and eq. 3 <i + i_o, -n0>; eq. 2 needs i_i, the ray inside the layer. The
-//!    text lets i_o depend on n1; here the mirror at n1 is in r_ii and i_o is refracted at n0 alone.
-//! 3. For parallel boundaries the three null conditions after eq. 10 are said to be always true; the
-//!    first two never are, and the third can be for r1 < sqrt(2).
-//! 4. Eq. 11 is garbled: it means R_d + T_d + 2 cos(2 Phi) sqrt(R_d T_d).
+//! 2. Eq. 1 prints <i, -n0> and eq. 3 <i + i_o, -n0>; eq. 2 needs i_i, the ray inside the layer. In the
+//!    text i_o depends on n1; here the reflection at n1 is in r_ii, and i_o is refracted at n0 alone.
+//! 3. The paper says that for parallel boundaries the three null conditions after eq. 10 are always true.
+//!    The first two never are, and the third can be for r1 < sqrt(2).
+//! 4. Eq. 11 is misprinted; it means R_d + T_d + 2 cos(2 Phi) sqrt(R_d T_d).
 //! 5. Eq. 11 and 16 lack the division by 2 of eq. 5: rho_d reaches 2, and rho_d / 2 is an albedo.
 //! 6. Eq. 14 at r1 = 1.5 gives 0.835, not .85; the formula is right.
-//! 7. R and T are not normalised lobes: rho is a reflectance-like number, not a conserving BRDF.
-//! 8. The lower boundary reflects everything: no Fresnel between 1 and 2. `base` scales what it
-//!    reflects in the specular part of both variants; 1 is the paper.
-//! 9. No half-wave shift: right only for an index that rises inwards. `phase_shift` = `half_wave`
-//!    shifts 2 Phi by pi for a base index below the layer's (a soap film, black when thin).
-//! 10. Wave optics gives a lossless layer on a perfect reflector the reflectance 1 at every
-//!     wavelength; the colours here come from stopping after one traversal. The model convinces, it
-//!     does not predict.
+//! 7. R and T are not normalised lobes, so that rho is not an energy-conserving BRDF.
+//! 8. The lower boundary reflects everything: there is no Fresnel factor between 1 and 2. `base` is its
+//!    reflectance in the specular part of both variants; 1 is that of the paper.
+//! 9. There is no half-wave shift, which is right only if the indices rise inwards. `phase_shift` =
+//!    `half_wave` shifts 2 Phi by pi for a base whose index is below the layer's (a soap film, which is
+//!    black when thin).
+//! 10. By wave optics a lossless layer on a perfect reflector has the reflectance 1 at every wavelength;
+//!     the colours here come from stopping after one traversal. The model looks plausible but does not
+//!     predict colours; for these use a film.
 
 mod formulas;
+mod params;
 mod sampling;
+mod terms;
 #[cfg(test)]
 mod tests;
 
 use crate::bsdf::compiled::kernel;
-use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo};
+use crate::bsdf::info::{Exception, Flags, LobeInfo, ModelInfo, ParamInfo};
 use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::{Bounds, Values};
 use crate::error::Error;
 use formulas::LayeredSurface;
+use params::{DIFFUSE_WEIGHT, PAPER, SPECULAR_WEIGHT, VARIANT, VARIANT_PAPER};
 
 /// The model; see the module's documentation.
 pub struct Layered;
-
-const ETA: usize = 0;
-const AMBIENT_ETA: usize = 1;
-const EXPONENT_REFLECTION: usize = 2;
-const EXPONENT_TRANSMISSION: usize = 3;
-const THICKNESS_NM: usize = 4;
-const BASE_NORMAL: usize = 5;
-const BASE: usize = 6;
-const SPECULAR_WEIGHT: usize = 7;
-const DIFFUSE_WEIGHT: usize = 8;
-const VARIANT: usize = 9;
-const PHASE_SHIFT: usize = 10;
-
-const VARIANT_PAPER: usize = 1;
-const PAPER: Choice = Choice {
-    param: VARIANT,
-    choice: VARIANT_PAPER,
-};
-const PHASE_SHIFT_HALF_WAVE: usize = 1;
-
-const MIRROR_LOBE: usize = 0;
-/// The refracted lobes of red, green and blue are this and the next two.
-const REFRACTED_LOBE: usize = 1;
-const DIFFUSE_LOBE: usize = 4;
 
 const GLOSSY: Flags = Flags::REFLECTION.with(Flags::GLOSSY);
 

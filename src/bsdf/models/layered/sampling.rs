@@ -1,12 +1,13 @@
-//! Importance sampling of the layered model: the mirror lobe, one refracted lobe per channel, and
-//! the diffuse part, chosen in proportion to their estimated shares.
+//! Importance sampling of the layered model. The lobes are the mirror lobe, one refracted lobe per channel,
+//! and the diffuse part; they are chosen in proportion to their estimated shares.
 //!
-//! Interference needs no lobe of its own: (R + T + 2 cos sqrt(R T)) / 2 <= R + T, so a mixture of
-//! the lobes of R and of T bounds it.
+//! Interference needs no lobe of its own: (R + T + 2 cos sqrt(R T)) / 2 <= R + T, so that a mixture of the
+//! lobes of R and T bounds it.
 
 use super::super::power_lobe::{estimated_integral, mean, sample_about, smooth_cosine};
-use super::formulas::{LayeredSurface, Shapes};
-use super::{DIFFUSE_LOBE, MIRROR_LOBE, REFRACTED_LOBE};
+use super::formulas::LayeredSurface;
+use super::params::{DIFFUSE_LOBE, MIRROR_LOBE, REFRACTED_LOBE};
+use super::terms::Shapes;
 use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, normalized};
 use crate::bsdf::surface::Surface;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, warp};
@@ -18,7 +19,8 @@ impl<T: Lane> Surface<T> for LayeredSurface<T> {
         self.set(param, value);
     }
 
-    /// The lobes of the specular part interfere, and have the same flags: they are kept or removed together.
+    /// The lobes of the specular part interfere and have the same flags, so they are kept or removed
+    /// together.
     #[inline(always)]
     fn retain(&mut self, lobes: LobeSet) {
         if !lobes.contains(MIRROR_LOBE) {
@@ -96,7 +98,7 @@ impl<T: Lane> LayeredSurface<T> {
         self.exponent_reflection.equals(T::new(0.0))
     }
 
-    /// About the mirror direction of wo, or over the whole hemisphere for exponent 0.
+    /// Samples about the mirror direction of wo, or over the whole hemisphere for exponent 0.
     #[inline(always)]
     fn sample_mirror(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
         let lobe = sample_about(wo.mirrored(), self.exponent_reflection, u);
@@ -115,24 +117,24 @@ impl<T: Lane> LayeredSurface<T> {
         let interface = self.upper.interface.channel(c);
         let axis = interface.inside(wo).mirrored_about(self.base_normal);
         let a = sample_about(axis, self.exponent_transmission, u);
-        let possible = a.z.gt(zero) & a.dot(self.base_normal).gt(zero);
-        Vec3::select(possible, interface.outside(a), Vec3::zero())
+        let is_possible = a.z.gt(zero) & a.dot(self.base_normal).gt(zero);
+        Vec3::select(is_possible, interface.outside(a), Vec3::zero())
     }
 
-    /// Estimated albedo of R. Like that of T it lacks the weight and the division by 2: R + T is
-    /// what constructive interference reaches, and the diffuse part competes with that.
+    /// The estimated albedo of R. Like that of T it is neither weighted nor divided by 2, because
+    /// constructive interference reaches R + T.
     #[inline(always)]
     fn mirror_share(&self, wo: Vec3<T>) -> T {
         let e0 = self.exponent_reflection;
-        // A broad lobe sees other incidences than the mirror's: 1/21 is the mean of Schlick's
-        // (1 - cos)^5 over the hemisphere (GH02 eq. 12).
+        // A broad lobe includes other angles of incidence than that of the mirror direction: 1/21 is the
+        // mean of Schlick's (1 - cos)^5 over the hemisphere (GH02 eq. 12).
         let spread = T::new(1.0 / 21.0) / (e0 + T::new(1.0));
         let fresnel = schlick(self.upper.f0, wo.z.gray())
             + (T::Rgb::new(1.0) - self.upper.f0) * spread.gray();
         self.scale_reflection * mean(T::channels(fresnel)) * estimated_integral(e0, wo.z)
     }
 
-    /// Estimated albedo of T: per channel the third that it contributes to the mean.
+    /// The estimated albedo of T, divided by 3: what each channel contributes to the mean.
     #[inline(always)]
     fn refracted_shares(&self, wo: Vec3<T>) -> T::Rgb {
         let (zero, one, half) = (T::Rgb::new(0.0), T::Rgb::new(1.0), T::Rgb::new(0.5));
@@ -140,8 +142,9 @@ impl<T: Lane> LayeredSurface<T> {
         let n1 = self.base_normal.gray();
         let b = self.upper.interface.inside(wo.gray());
         let axis = b.mirrored_about(n1);
-        // Part of the lobe inside the critical cone: a sigmoid of the axis' distance from it in
-        // units of the lobe's spread, with tails heavy enough never to starve what remains.
+        // The part of the lobe inside the critical cone, estimated by a sigmoid of the axis' distance from
+        // the cone in units of the lobe's width. Its tails are heavy, so that a small part is still
+        // sampled.
         let critical = self.upper.interface.critical_cosine_squared().sqrt();
         let distance = (axis.z - critical) * (e1 + T::Rgb::new(2.0)).sqrt();
         let inside = half + half * distance / (one + distance.squared()).sqrt();
@@ -149,7 +152,8 @@ impl<T: Lane> LayeredSurface<T> {
         let crossings =
             (one - schlick(self.upper.f0, wo.z.gray())) * (one - schlick(self.upper.f0, exit));
         let lobe = estimated_integral(e1, axis.z.max(critical)) * inside;
-        // In `paper` the lobe is measured inside, where directions are denser than outside.
+        // In `paper` the lobe is a density of directions inside the layer, where they are denser than
+        // outside.
         let density = if self.is_paper {
             one / self.upper.compression
         } else {

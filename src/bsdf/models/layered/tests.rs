@@ -1,5 +1,6 @@
-//! The numbers of an independent double-precision evaluation of the paper's formulas.
+//! The model against an independent double-precision evaluation of the paper's formulas.
 
+use super::params::*;
 use super::*;
 use crate::bsdf::model::Model;
 use crate::bsdf::values::Values;
@@ -158,19 +159,19 @@ fn mean_over_unit(f: impl Fn(f64) -> f64) -> f64 {
         / f64::from(COUNT)
 }
 
-/// Eq. 12 and 13 against their own definition: the cosine-weighted mean of Schlick's reflectance.
+/// Eq. 12 and 13 against their definition, the cosine-weighted mean of Schlick's reflectance.
 #[test]
 fn the_mean_transmittance_is_the_mean_of_schlicks() {
     for (r0, r1) in [(1.0, 1.5), (1.0, 1.3), (1.33, 1.5), (1.0, 4.0)] {
         let f0 = crate::optics::normal_reflectance(r0, r1);
         let mean = mean_over_unit(|z| 2.0 * z * crate::optics::schlick_transmittance(f0, z));
-        let closed = formulas::average_transmittance(r0, r1);
+        let closed = terms::average_transmittance(r0, r1);
         assert!((closed - mean).abs() < 1e-9, "{closed} {mean}");
     }
 }
 
-/// Eq. 14, which the model passes over in favour of the normal direction (eq. 15): the formula is
-/// right, the paper's number for an index of 1.5 is not.
+/// Eq. 14, which the model does not use because it takes the normal direction (eq. 15): the formula is
+/// right, but the paper's number for an index of 1.5 is not.
 #[test]
 fn the_mean_refracted_cosine_is_not_as_printed() {
     let (r0, r1) = (1.0f64, 1.5f64);

@@ -1,17 +1,17 @@
 //! # `metallic_roughness`: the material of textures and interchange formats
 //!
-//! A base colour, how metallic and how rough: the parametrisation of Burley 2012 ("Physically-Based
-//! Shading at Disney"), of glTF 2.0 and of the lecture's 25 spheres. Every number may come from a
-//! texture. Use it for assets authored that way; for a metal's measured colour, a film or another
-//! distribution there is `microfacet`.
+//! Base colour, metallic and roughness: the parametrisation of Burley 2012 ("Physically-Based Shading at
+//! Disney"), of glTF 2.0 and of the lecture's 25 spheres. Every number may vary. Use it for assets authored
+//! that way; `microfacet` has measured metals, films and other distributions.
 //!
-//! **Highlight**: D G F / (4 (n.l)(n.v)) with GGX (Walter et al. 2007, eq. 33), height-correlated
-//! Smith masking (Heitz 2014, eq. 99) and Schlick's F. alpha = roughness^2, and at least 1e-4. F0 is
-//! ((eta - 1) / (eta + 1))^2 of a dielectric (`dielectric_from` = eta) or given (f0), the base colour of a
-//! metal, and between them in proportion to `metallic`; F90 is 1, also for an index of 1. A ratio of
-//! indices below 1 is not offered: metals have no F0 by that formula, as they absorb.
+//! **Highlight**: D G F / (4 (n.l)(n.v)) with GGX (Walter et al. 2007, eq. 33), height-correlated Smith
+//! masking (Heitz 2014, eq. 99) and Schlick's F. alpha = roughness^2, and at least 1e-4. F0 of a dielectric
+//! is ((eta - 1) / (eta + 1))^2 (`dielectric_from` = eta) or given (f0), that of a metal is the base
+//! colour, and `metallic` interpolates linearly between them. F90 is 1, also for an index of 1. Indices
+//! below 1 are not offered: they occur for metals, whose F0 does not follow from that formula because they
+//! absorb.
 //!
-//! **Diffuse part**: dielectrics only, so in proportion to 1 - metallic, with the base colour as
+//! **Diffuse part**: dielectrics only, so with the factor 1 - metallic, and with the base colour as
 //! reflectance: f_d (1 - E(wo)) (1 - E(wi)) / (1 - E_avg), where E is the highlight's albedo for the
 //! dielectric F0, E_avg its mean, and f_d one of
 //!
@@ -19,54 +19,31 @@
 //! - `oren_nayar`, the full form, sigma = `sigma_radians`;
 //! - `disney`, roughness = diffuse_roughness.
 //!
-//! The product is that of Kelemen and Szirmay-Kalos 2001 ("A Microfacet Based Coupled
-//! Specular-Matte BRDF Model with Importance Sampling", section 2.2): what the highlight leaves over, the
-//! same from both sides. E comes from a table (`microfacet/energy.rs`) made at creation.
+//! This product is that of Kelemen and Szirmay-Kalos 2001 ("A Microfacet Based Coupled Specular-Matte BRDF
+//! Model with Importance Sampling", section 2.2): the diffuse part gets the light that the highlight does
+//! not reflect, and is reciprocal. E comes from a table (`microfacet/energy.rs`) made at creation.
 //!
-//! **Energy**: the albedo never exceeds 1 by more than the table's error, 1e-3. For base colour 1 and
-//! `lambert` a dielectric reflects everything to within that error, a metal what masking leaves: at
-//! least 0.89, 0.83, 0.62 and 0.30 at roughness 0.25, 0.5, 0.75 and 1. `oren_nayar` and `disney` return
-//! more than they receive where the base colour is near 1; they are divided by a bound of what they
-//! return if that exceeds 1, for base colour 1 by up to 1.06 and 1.6 (F0 below 0.5; as F0 nears 1, when
-//! little is left for them, by up to 3.4).
-//! No multiple scattering is added to metals: rough ones are darker than real.
+//! **Energy**: the albedo exceeds 1 by no more than the error of the table, 1e-3. For base colour 1 and
+//! `lambert` a dielectric reflects everything to within that error, and a metal all but the light that
+//! masking takes away: at least 0.89, 0.83, 0.62 and 0.30 at roughness 0.25, 0.5, 0.75 and 1. The albedos
+//! of `oren_nayar` and `disney` exceed 1 where the base colour is near 1. There these forms are divided by
+//! an upper bound of their albedo: for base colour 1 by up to 1.06 and 1.6 for F0 below 0.5, and by up to
+//! 3.4 as F0 tends to 1, where little light is left for them. Multiple scattering between facets is left
+//! out, so that rough metals are darker than real ones.
 
+mod params;
 mod surface;
 
 use crate::bsdf::compiled::kernel;
-use crate::bsdf::info::{Choice, LobeInfo, ModelInfo, ParamInfo};
+use crate::bsdf::info::{LobeInfo, ModelInfo, ParamInfo, chosen};
 use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
+use params::{DIELECTRIC_FROM, DIFFUSE_FORM, DISNEY, FROM_ETA, FROM_F0, OREN_NAYAR};
 use surface::CompiledMaterial;
 
 /// The model; see the module's documentation.
 pub struct MetallicRoughness;
-
-const BASE_COLOR: usize = 0;
-const METALLIC: usize = 1;
-const ROUGHNESS: usize = 2;
-const DIELECTRIC_FROM: usize = 3;
-const ETA: usize = 4;
-const F0: usize = 5;
-const DIFFUSE_FORM: usize = 6;
-const SIGMA_RADIANS: usize = 7;
-const DIFFUSE_ROUGHNESS: usize = 8;
-
-/// The choices of `dielectric_from`.
-const FROM_ETA: usize = 0;
-const FROM_F0: usize = 1;
-
-/// Choices of `diffuse_form`.
-const OREN_NAYAR: usize = 1;
-const DISNEY: usize = 2;
-
-const fn chosen(param: usize, choice: usize) -> Choice {
-    Choice { param, choice }
-}
-
-const DIFFUSE_LOBE: usize = 0;
-const SPECULAR_LOBE: usize = 1;
 
 impl Model for MetallicRoughness {
     const INFO: ModelInfo = ModelInfo {

@@ -1,6 +1,6 @@
-//! The compiled model, and the surface that it is for one call.
+//! The compiled model and its surface.
 
-use super::{
+use super::params::{
     BASE_COLOR, DIELECTRIC_FROM, DIFFUSE_FORM, DIFFUSE_LOBE, DIFFUSE_ROUGHNESS, DISNEY, ETA, F0,
     FROM_ETA, METALLIC, OREN_NAYAR, ROUGHNESS, SIGMA_RADIANS, SPECULAR_LOBE,
 };
@@ -20,11 +20,12 @@ use crate::bsdf::values::Values;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, warp};
 use crate::optics::{normal_reflectance, schlick};
 
-/// Least divisor 1 - E_avg: the table's error. Below it, with F0 within 1e-3 of 1, the diffuse part
-/// is darker than it could be.
+/// The least divisor 1 - E_avg, which is the error of the table. With F0 within 1e-3 of 1, where the
+/// divisor would be less, the diffuse part is darker than energy conservation requires.
 const LEAST_REMAINDER: f64 = 1e-3;
 
-/// Least share of the highlight in sampling: where the table's error may hide it, it is still found.
+/// The least share of the highlight in sampling, so that it is sampled even where the error of the table is
+/// greater than its albedo.
 const LEAST_SHARE: f64 = 1e-3;
 
 /// The compiled model.
@@ -33,7 +34,7 @@ pub(super) struct CompiledMaterial<T: Lane> {
     settings: Settings<T>,
 }
 
-/// The diffuse part's form and what it needs.
+/// The form of the diffuse part, with its coefficients.
 #[derive(Clone, Copy)]
 enum DiffuseForm<T> {
     Lambert,
@@ -47,9 +48,9 @@ struct Settings<T: Lane> {
     metallic: T,
     alpha: T,
     row: Row<T>,
-    /// Whether `f0` follows from the index.
+    /// Whether `f0` follows from `eta`.
     is_by_index: bool,
-    /// Of the dielectric.
+    /// F0 of the dielectric.
     f0: T,
     diffuse: DiffuseForm<T>,
 }
@@ -107,7 +108,7 @@ impl<T: Precision> Compiled<T> for CompiledMaterial<T> {
                 f0: L::splat(settings.f0),
                 diffuse: match &settings.diffuse {
                     DiffuseForm::Lambert => DiffuseForm::Lambert,
-                    DiffuseForm::OrenNayar(facets) => DiffuseForm::OrenNayar(facets.splat()),
+                    DiffuseForm::OrenNayar(grooves) => DiffuseForm::OrenNayar(grooves.splat()),
                     DiffuseForm::Disney(roughness) => DiffuseForm::Disney(L::splat(*roughness)),
                 },
             },
@@ -120,9 +121,9 @@ fn alpha_of<T: Real>(roughness: T) -> T {
     roughness.squared().max(T::new(LEAST_ALPHA))
 }
 
-/// A surface for one call, or as many as there are lanes.
+/// The surface for one call, or one in each lane.
 pub(super) struct MaterialSurface<'a, T: Lane> {
-    /// Whether each of the two parts takes part.
+    /// Whether each of the two lobes takes part.
     has_diffuse: bool,
     has_highlight: bool,
     energy: &'a Energy<T::Scalar>,
@@ -130,7 +131,7 @@ pub(super) struct MaterialSurface<'a, T: Lane> {
 }
 
 impl<P: Precision, T: Lane<Scalar = P>> MaterialSurface<'_, T> {
-    /// F0 of the highlight: from the dielectric's to the base colour.
+    /// F0 of the highlight, interpolated from that of the dielectric to the base colour.
     #[inline(always)]
     fn specular_f0(&self) -> T::Rgb {
         let Settings {
@@ -154,32 +155,32 @@ impl<P: Precision, T: Lane<Scalar = P>> MaterialSurface<'_, T> {
         one - albedo.under_schlick(self.settings.f0, one)
     }
 
-    /// The factor of the diffuse part's own value.
+    /// The factor of the diffuse part: (1 - metallic) (1 - E(wo)) (1 - E(wi)) / (1 - E_avg).
     #[inline(always)]
     fn coupling(&self, wo: Vec3<T>, wi: Vec3<T>) -> T {
-        let both = self.remainder(&self.albedo_at(wo)) * self.remainder(&self.albedo_at(wi));
+        let remainders = self.remainder(&self.albedo_at(wo)) * self.remainder(&self.albedo_at(wi));
         let mean = self.remainder(&self.settings.row.mean);
         let is_dielectric = T::new(1.0) - self.settings.metallic;
-        is_dielectric * both / mean.max(T::new(LEAST_REMAINDER))
+        is_dielectric * remainders / mean.max(T::new(LEAST_REMAINDER))
     }
 
-    /// f_d |wi.z|, divided by what it returns where that might exceed 1.
+    /// f_d |wi.z|, divided by an upper bound of its albedo where that exceeds 1.
     #[inline(always)]
     fn diffuse(&self, wo: Vec3<T>, wi: Vec3<T>) -> T::Rgb {
         let base_color = self.settings.base_color;
         let (value, greatest) = match self.settings.diffuse {
             DiffuseForm::Lambert => return base_color * (wi.z * T::new(1.0 / PI)).gray(),
-            DiffuseForm::OrenNayar(facets) => (
-                facets.full(base_color, wo, wi),
-                facets.albedo_at_horizon(base_color),
+            DiffuseForm::OrenNayar(grooves) => (
+                grooves.full(base_color, wo, wi),
+                grooves.albedo_at_horizon(base_color),
             ),
             DiffuseForm::Disney(roughness) => (
                 base_color * disney_diffuse::value(roughness, wo, wi).gray(),
                 base_color * disney_diffuse::greatest_albedo(roughness).gray(),
             ),
         };
-        // With F0 near 1 the remainder of E lies at grazing angles, where these forms are brightest:
-        // our own bound, tested over the whole range of parameters.
+        // With F0 near 1 the remainder 1 - E is at grazing angles, where these forms are brightest. The
+        // bound is our own, and tested over the whole range of parameters.
         let steep = T::new(0.0035) / (T::new(1.002) - self.settings.f0);
         value / (greatest + base_color * steep.gray()).max(T::Rgb::new(1.0))
     }
@@ -241,7 +242,7 @@ impl<P: Precision, T: Lane<Scalar = P>> Surface<T> for MaterialSurface<'_, T> {
         (value, densities)
     }
 
-    /// The albedo of each part, that of the highlight from the table.
+    /// The lobes are chosen in proportion to their albedos, which for the highlight come from the table.
     #[inline(always)]
     fn choose(&self, wo: Vec3<T>) -> PerLobe<T> {
         let one = T::new(1.0);

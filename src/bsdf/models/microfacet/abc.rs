@@ -7,23 +7,23 @@ use crate::num::{Lane, Vec3, each};
 
 /// D(h) = A / (1 + B (1 - h.z))^C.
 ///
-/// The papers fit A, and the lecture prints the function without it; here A makes the projected area 1.
-/// B follows from alpha: the height at the normal is A = 1 / (pi alpha^2), as for GGX, Beckmann's
-/// distribution and Blinn's. So
+/// The papers fit A, and the lecture prints the function without it; here A makes the projected area 1. B
+/// follows from alpha, because the height at the normal is A = 1 / (pi alpha^2), as for GGX, Beckmann's
+/// distribution and Blinn's:
 ///
 /// ```text
 /// alpha^2 = 2 integral from 0 to 1 of (1 - u) / (1 + B u)^C du
 /// ```
 ///
-/// which is solved for B at creation; for C > 1 and small alpha, B is near 2 / ((C - 1) alpha^2).
-/// alpha = 1 is B = 0, an even density.
+/// This equation is solved for B at creation. For C > 1 and small alpha, B is near 2 / ((C - 1) alpha^2).
+/// alpha = 1 gives B = 0, a constant density.
 ///
-/// alpha is in [1e-4, 1], the exponent C in [0.5, 10]. C = 2 is nearly GGX, C = 10 nearly Blinn's; at
-/// C <= 1 most of the area is in the tail, whatever alpha. Löw et al.'s fits to 100 measured materials
-/// have C from 0.02 to 2.7, half of them between 0.9 and 1.5 about a median of 1.2.
+/// alpha is in [1e-4, 1], the exponent C in [0.5, 10]. C = 2 is nearly GGX, and C = 10 nearly Blinn's
+/// distribution; at C <= 1 most of the area is in the tail for every alpha. Löw et al.'s fits to 100
+/// measured materials have C from 0.02 to 2.7, half of them between 0.9 and 1.5 about a median of 1.2.
 ///
 /// The area up to an angle is the difference of two powers of 1 + B (1 - h.z), which has no inverse in
-/// closed form: normals are drawn by table.
+/// closed form, so that normals are sampled by a table.
 #[derive(Clone, Copy)]
 pub(crate) struct Abc<T> {
     a: T,
@@ -31,10 +31,10 @@ pub(crate) struct Abc<T> {
     c: T,
 }
 
-/// The greatest ln(1 + B) that can be asked for: 37.4 for alpha = 1e-4 and C = 1/2.
+/// An upper bound of ln(1 + B), which is 37.4 for alpha = 1e-4 and C = 1/2.
 const WIDEST: f64 = 40.0;
 
-/// B.
+/// B for alpha and C.
 fn width(alpha: f64, exponent: f64) -> f64 {
     if alpha >= 1.0 {
         return 0.0;
@@ -47,7 +47,7 @@ fn width(alpha: f64, exponent: f64) -> f64 {
 }
 
 impl<T: Lane<Scalar = T>> Abc<T> {
-    /// Of alpha and the exponent C.
+    /// The distribution for alpha and the exponent C.
     pub(crate) fn new(alpha: f64, exponent: f64) -> Self {
         Self::of_numbers(height(alpha), width(alpha, exponent), exponent)
     }
@@ -57,7 +57,7 @@ impl<T: Lane<Scalar = T>> Abc<T> {
         Self { a, b, c }
     }
 
-    /// D(h), per steradian. 1 - h.z is sin^2 / (1 + h.z), which keeps its digits.
+    /// D(h), per steradian. 1 - h.z is computed as sin^2 / (1 + h.z), which keeps its digits.
     #[inline(always)]
     pub(super) fn density<L: Lane<Scalar = T>>(&self, h: Vec3<L>) -> L {
         let [a, b, c] = each!([self.a, self.b, self.c], |number| L::splat(number));

@@ -4,28 +4,31 @@ use super::half_vector::HalfVector;
 use super::ndf::{Ndf, stretched};
 use crate::num::{Lane, Mask, PI, Real, Vec3, erfcx, erfinv};
 
-/// Beckmann with a roughness along each axis: the slopes have the variances alpha^2 / 2.
+/// Beckmann's distribution with a roughness along each axis; the variances of the slopes are alpha^2 / 2.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Beckmann<T> {
-    /// Along X and Y, > 0.
+    /// The roughness along X and along Y, > 0.
     pub alpha: [T; 2],
 }
 
-/// Slopes of alpha = 1 beyond this are as rare as 1 in 10^35; the Gaussian is 0 in single precision.
+/// The steepest slope that is searched for, for alpha = 1. Steeper ones have a probability of 1e-35, and
+/// the Gaussian is 0 in single precision.
 const STEEPEST: f64 = 9.0;
-/// Newton's method settles within 6 steps where density is and halves the interval where it is not.
+/// The greatest number of steps. Newton's method converges within 6 where the density is not small, and
+/// halves the interval where it is.
 const GREATEST_STEPS: usize = 40;
-/// Convergence is quadratic: after a step this small the error is of the order of its square.
+/// The search ends with a step below this. Convergence is quadratic, so that the error is then of the order
+/// of its square.
 const LAST_STEP: f64 = 1e-4;
 const INVERSE_SQRT_PI: f64 = 0.564_189_583_547_756_3;
 
-/// The complementary error function of x >= 0 over 2, given e^(-x^2).
+/// erfc(x) / 2 for x >= 0, given e^(-x^2).
 #[inline(always)]
 fn half_erfc<T: Real>(x: T, gaussian: T) -> T {
     T::new(0.5) * gaussian * erfcx(x)
 }
 
-/// The integral in [`visible_slope`] up to x, and its derivative.
+/// The integral of [`visible_slope`] up to x, and its derivative.
 #[inline(always)]
 fn seen_below<T: Real>(cos: T, sin: T, x: T) -> (T, T) {
     let gaussian = (-x.squared()).exp();
@@ -35,17 +38,17 @@ fn seen_below<T: Real>(cos: T, sin: T, x: T) -> (T, T) {
     (value, (cos - x * sin) * gaussian * T::new(INVERSE_SQRT_PI))
 }
 
-/// The slope along the view, of alpha = 1, of visible normals for a view with the given cosine and
-/// sine: the inverse at `u` of the integral of max(0, cos - x sin) e^(-x^2) / sqrt(pi) from -infinity
-/// to x, which is cos erfc(-x) / 2 + sin e^(-x^2) / (2 sqrt(pi)). Jakob 2014, "An Improved Visible
-/// Normal Sampling Routine for the Beckmann Distribution", eq. 3: inverted by Newton's method inside
-/// an interval that shrinks, here from another start and with cos and sin in place of their ratio, so
-/// that neither normal nor grazing incidence is special.
+/// Samples the slope along the view of visible normals, for alpha = 1 and a view with the given cosine and
+/// sine. It inverts the integral of max(0, cos - x sin) e^(-x^2) / sqrt(pi) from -infinity to x, which is
+/// cos erfc(-x) / 2 + sin e^(-x^2) / (2 sqrt(pi)), at `u` times its total: Jakob 2014, "An Improved Visible
+/// Normal Sampling Routine for the Beckmann Distribution", eq. 3. The inversion is by Newton's method
+/// inside a shrinking interval, as there, but from another start and with cos and sin in place of their
+/// ratio, so that normal and grazing incidence are no special cases.
 #[inline(always)]
 fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
     let (zero, one, half) = (T::new(0.0), T::new(1.0), T::new(0.5));
     let mut low = T::new(-STEEPEST);
-    // The steepest slope that is seen has tan = cos / sin.
+    // The steepest visible slope is cos / sin.
     let is_seen_whole = (sin * T::new(STEEPEST)).le(cos);
     let mut high = T::select(
         is_seen_whole,
@@ -53,12 +56,13 @@ fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
         cos / T::select(is_seen_whole, one, sin),
     );
     let target = u * seen_below(cos, sin, high).0;
-    // Seen from above the slopes are normally distributed; from the horizon u = e^(-x^2), x < 0.
+    // For a view along the normal the slopes are normally distributed; for a view along the horizon u =
+    // e^(-x^2) with x < 0.
     let from_above = erfinv(u + u - one);
     let from_horizon = -(-u.max(T::new(T::EPSILON)).ln()).sqrt_positive();
     let mut x = from_horizon + cos.squared() * (from_above - from_horizon);
     x = x.max(low).min(high);
-    // Numbers side by side stop each at its own step, as they would alone.
+    // Each lane stops at its own step, so that it has the bits of a single call.
     let mut is_open = zero.equals(zero);
     for _ in 0..GREATEST_STEPS {
         let (value, slope) = seen_below(cos, sin, x);
@@ -78,9 +82,9 @@ fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
 }
 
 impl<T: Lane> Ndf<T> for Beckmann<T> {
-    /// Walter et al. 2007, eq. 25, and its anisotropic form, Heitz 2014, eq. 83. The tangent comes
-    /// from h.x and h.y, which keep their digits for small alpha. Where the exponential is below
-    /// e^-80 it is taken for 0, and 1 / h.z^4 is not needed.
+    /// Walter et al. 2007, eq. 25, and its anisotropic form, Heitz 2014, eq. 83. The tangent is computed
+    /// from h.x and h.y, which keep their digits for small alpha. Where the exponential is below e^-80 the
+    /// density counts as 0, so that 1 / h.z^4 cannot overflow.
     #[inline(always)]
     fn density(&self, h: Vec3<T>) -> T {
         let [x, y] = self.alpha;
@@ -93,9 +97,9 @@ impl<T: Lane> Ndf<T> for Beckmann<T> {
         T::select(is_seen, density, zero)
     }
 
-    /// Lambda = (erf(a) - 1) / 2 + e^(-a^2) / (2 a sqrt(pi)) with a = 1 / (alpha tan): Heitz 2014,
-    /// eq. 72, after Smith 1967. Multiplied by w.z = a s, s the stretched sine, it is
-    /// s e^(-a^2) (1 / sqrt(pi) - a erfcx(a)) / 2. Beyond a = 6 it is below 1e-16 of w.z.
+    /// Lambda = (erf(a) - 1) / 2 + e^(-a^2) / (2 a sqrt(pi)) with a = 1 / (alpha tan): Heitz 2014, eq. 72,
+    /// after Smith 1967. With the stretched sine s, w.z is a s, and the product is s e^(-a^2) (1 /
+    /// sqrt(pi) - a erfcx(a)) / 2. Beyond a = 6 it counts as 0: it is below 1e-16 of w.z.
     #[inline(always)]
     fn cos_times_lambda(&self, w: Vec3<T>) -> T {
         let stretched = stretched(w, self.alpha);
@@ -107,8 +111,8 @@ impl<T: Lane> Ndf<T> for Beckmann<T> {
         T::select(is_bounded, area, T::new(0.0))
     }
 
-    /// Visible normals: the slope along the view by [`visible_slope`], the one across it is normally
-    /// distributed. Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the
+    /// Visible normals: the slope along the view is sampled by [`visible_slope`], and the slope across it
+    /// is normally distributed. Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the
     /// Distribution of Visible Normals", section 4.
     #[inline(always)]
     fn sample(&self, wo: Vec3<T>, u: [T; 2]) -> Vec3<T> {
@@ -126,7 +130,7 @@ impl<T: Lane> Ndf<T> for Beckmann<T> {
         Vec3::new(-x, -y, one).normalized()
     }
 
-    /// That of visible normals, G1 D <wo, h> / wo.z, over 4 <wo, h>.
+    /// The density of visible normals, G1 D <wo, h> / wo.z, over 4 <wo, h>.
     #[inline(always)]
     fn reflected_density(&self, pair: &HalfVector<T>, d: T) -> T {
         d / (pair.wo.z + self.cos_times_lambda(pair.wo)) * T::new(0.25)

@@ -1,19 +1,20 @@
-//! What masking takes away, given back: light that facets reflect onto other facets.
+//! Energy compensation: light that facets reflect onto other facets, which masking alone would lose.
 //!
 //! Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks": with E(mu) the albedo for
 //! F = 1 and Eavg its mean 2 integral E(mu) mu dmu, the lobe
 //!
 //! f = (1 - E(n.v)) (1 - E(n.l)) / (pi (1 - Eavg))
 //!
-//! returns the rest of a white surface: their sum has the albedo 1. What has been reflected k times more
-//! has the colour Favg^k, Favg the mean of F over the hemisphere of a facet, and a share (1 - Eavg)^k
-//! has not left before. The sum of the series from k = 1, times the colour Favg and the share Eavg with
-//! which the last facet lets go, over 1 - Eavg for which the lobe is made, is
+//! has the albedo that a white surface lacks: the sum of both lobes has the albedo 1. Let Favg be the mean
+//! of F over the hemisphere of a facet. Light that is reflected k more times gets the colour Favg^k, and
+//! the share (1 - Eavg)^k of it has not left before. The sum of this series from k = 1 on, times the colour
+//! Favg of the first reflection and the share Eavg that leaves after the last one, divided by 1 - Eavg,
+//! which is the albedo of the lobe, is
 //!
-//! Favg^2 Eavg / (1 - Favg (1 - Eavg)):
+//! Favg^2 Eavg / (1 - Favg (1 - Eavg)).
 //!
-//! Hill 2018, "A Multi-Faceted Exploration (Part 2)", with one power of Favg more than the course notes,
-//! in which light that is reflected twice has the colour of one reflection.
+//! This is from Hill 2018, "A Multi-Faceted Exploration (Part 2)". It has one power of Favg more than the
+//! course notes, in which light that is reflected twice has the colour of one reflection.
 
 use super::energy::{Energy, Row};
 use super::fresnel::{CompiledFresnel, Fresnel};
@@ -22,22 +23,22 @@ use crate::error::Error;
 use crate::film::Film;
 use crate::num::{Lane, Rgb, Vec3, each, warp};
 
-/// Least divisor 1 - Eavg, a tenth of the table's error: of smoother surfaces there is nothing to give
-/// back.
+/// The least divisor 1 - Eavg, a tenth of the error of the table. Surfaces that lose less need no
+/// compensation.
 const LEAST_LOSS: f64 = 1e-4;
 
-/// The part that is the same for all calls.
+/// The tables of energy compensation, which are the same for all calls.
 pub(super) struct Compensation<T> {
     pub energy: Energy<T>,
     pub average: Average<T>,
 }
 
-/// The lobe for one call.
+/// The lobe of multiple scattering for one call.
 #[derive(Clone, Copy)]
 pub(super) struct MultipleScattering<'a, T: Lane> {
     energy: &'a Energy<T::Scalar>,
     row: Row<T>,
-    /// Colour over 1 - Eavg.
+    /// The colour of the lobe over 1 - Eavg.
     color: Rgb<T>,
 }
 
@@ -66,7 +67,7 @@ impl<T: Precision> Compensation<T> {
 }
 
 impl<T: Precision, L: Lane<Scalar = T>> MultipleScattering<'_, L> {
-    /// E for F = 1.
+    /// E(cos_theta), the albedo of the single-scattering lobe for F = 1.
     #[inline(always)]
     pub fn albedo(&self, cos_theta: L) -> L {
         self.energy.albedo(&self.row, cos_theta).whole
@@ -85,7 +86,7 @@ impl<T: Precision, L: Lane<Scalar = T>> MultipleScattering<'_, L> {
         each!(self.color, |color| color * factor)
     }
 
-    /// Its albedo for that viewer, but for the divisor's bound.
+    /// The mean of its albedo over the channels for that viewer, apart from the bound of the divisor.
     #[inline(always)]
     pub fn share(&self, wo: Vec3<L>) -> L {
         let escaping = self.row.mean.whole;
@@ -98,14 +99,14 @@ impl<T: Precision, L: Lane<Scalar = T>> MultipleScattering<'_, L> {
 pub(super) enum Average<T> {
     /// F0 + (F90 - F0) / 21, since 2 integral (1 - mu)^5 mu dmu = 1 / 21.
     Schlick,
-    /// Of what does not vary.
+    /// The mean of a Fresnel factor that does not vary.
     Constant(Rgb<T>),
-    /// Over the film's thickness.
+    /// The means over the thickness of the film.
     Film(Thicknesses<T>),
 }
 
 impl<T: Precision> Average<T> {
-    /// Fails for want of memory.
+    /// Fails if there is no memory for the table of a film.
     pub fn new(facets: &CompiledFresnel<T>, is_film_varying: bool) -> Result<Self, Error> {
         Ok(match facets {
             CompiledFresnel::Schlick { .. } => Self::Schlick,
@@ -124,13 +125,13 @@ impl<T: Precision> Average<T> {
             (_, Fresnel::Schlick { f0, f90 }) => {
                 L::channels(*f0 + (*f90 - *f0) * L::new(1.0 / 21.0).gray())
             }
-            // No other pair is ever made.
+            // No other pair exists.
             _ => [L::new(0.0); 3],
         }
     }
 }
 
-/// Midpoints in mu^2, whose measure 2 mu dmu is.
+/// The number of midpoints in mu^2, because 2 mu dmu = d(mu^2).
 const COSINES: u32 = 64;
 
 fn mean_reflectance<T: Precision>(fresnel: &Fresnel<'_, T>) -> Rgb<T> {
@@ -145,10 +146,10 @@ fn mean_reflectance<T: Precision>(fresnel: &Fresnel<'_, T>) -> Rgb<T> {
     sum.map(|sum| sum * T::new(1.0 / f64::from(COSINES)))
 }
 
-/// Distance of the table's nodes, nm, if it does not get too long: a fringe of the mean is more than
-/// 100 nm, which leaves an error of 1e-3 of its amplitude.
+/// The distance of the nodes of the table, nm, for ranges of up to 20 um. A fringe of the mean is wider
+/// than 100 nm, so that the error is 1e-3 of its amplitude.
 const STEP_NM: f64 = 5.0;
-/// The most nodes: fringes of films that are 20 um thick have faded to 1e-2 in the mean.
+/// The greatest number of nodes. The fringes of films thicker than 20 um are below 1e-2 in the mean.
 const MOST_NODES: f64 = 4096.0;
 
 /// The mean reflectance at equally spaced thicknesses of the film's varying layer.
@@ -175,13 +176,13 @@ impl<T: Precision> Thicknesses<T> {
         })
     }
 
-    /// Linear between the nodes; a thickness outside the range counts as its end.
+    /// The mean at a thickness, linear between the nodes. A thickness outside the range is clamped to it.
     #[inline(always)]
     fn at<L: Lane<Scalar = T>>(&self, thickness_nm: L) -> Rgb<L> {
         let (zero, half, one) = (L::new(0.0), L::new(0.5), L::new(1.0));
         let last = L::new((self.nodes.len() - 2) as f64);
         let position = ((thickness_nm - L::splat(self.from)) * L::splat(self.per_nm)).max(zero);
-        // At a node either piece will do.
+        // At a node the pieces on both sides have the same value.
         let node = (position - half).round().max(zero).min(last);
         let part = (position - node).min(one);
         let [a, b] = [

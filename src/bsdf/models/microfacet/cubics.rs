@@ -1,16 +1,15 @@
-//! A function of one number as equally long cubic pieces.
+//! A function of one number as cubic pieces of equal length.
 
 use crate::num::Lane;
 
-/// N cubics, one for each unit of the position in [0, N], that meet in value and slope. N is at
-/// least 1.
+/// A function on [0, N] as N cubics, one for each unit interval, with a continuous slope. N is at least 1.
 pub(super) struct Cubics<T, const N: usize> {
-    /// Coefficients by rising power of the distance from the piece's start.
+    /// The coefficients of each piece, in powers of the distance from its start, the constant first.
     pieces: [[T; 4]; N],
 }
 
 impl<T: Lane<Scalar = T>, const N: usize> Cubics<T, N> {
-    /// Through value and slope at the N + 1 whole positions (Hermite's interpolation).
+    /// The function with the given values and slopes at the N + 1 whole positions (Hermite interpolation).
     pub(super) fn new(knots: &[[f64; 2]]) -> Self {
         let pieces = std::array::from_fn(|k| {
             let ([value, slope], [next_value, next_slope]) = (knots[k], knots[k + 1]);
@@ -22,12 +21,12 @@ impl<T: Lane<Scalar = T>, const N: usize> Cubics<T, N> {
         Self { pieces }
     }
 
-    /// The value at a position; outside [0, N] the value at the nearer end.
+    /// The value at a position, which is clamped to [0, N].
     #[inline(always)]
     pub(super) fn at<L: Lane<Scalar = T>>(&self, position: L) -> L {
         let zero = L::new(0.0);
         let position = position.max(zero).min(L::new(N as f64));
-        // At a whole position either piece will do.
+        // At a whole position the pieces on both sides have the same value.
         let piece = (position - L::new(0.5)).round().max(zero);
         let piece = piece.min(L::new((N - 1) as f64));
         let x = position - piece;
@@ -36,8 +35,8 @@ impl<T: Lane<Scalar = T>, const N: usize> Cubics<T, N> {
     }
 }
 
-/// Slopes no steeper than three times the chords beside them, with which the cubics through falling
-/// values fall too (Fritsch and Carlson 1980, "Monotone Piecewise Cubic Interpolation", section 3).
+/// Limits slopes to three times those of the chords beside them, so that the cubics through falling values
+/// fall too (Fritsch and Carlson 1980, "Monotone Piecewise Cubic Interpolation", section 3).
 pub(super) fn keep_falling(knots: &mut [[f64; 2]]) {
     for k in 1..knots.len() {
         let steepest = 3.0 * (knots[k][0] - knots[k - 1][0]);
@@ -69,7 +68,7 @@ mod tests {
         assert_eq!(double.at(1e300), f(4.0));
     }
 
-    /// A cliff, whose slopes would make the cubic overshoot.
+    /// A step, at which unlimited slopes would make the cubics overshoot.
     #[test]
     fn falling_values_keep_falling() {
         let mut knots = vec![[1.0, 0.0], [1.0, -9.0], [0.01, -0.5], [0.0, 0.0]];

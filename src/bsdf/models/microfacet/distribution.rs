@@ -1,4 +1,4 @@
-//! The distribution of normals that a description chooses.
+//! The choice of the distribution of normals.
 
 use super::energy::{Energy, Reflected};
 use super::masking::Masking;
@@ -7,18 +7,18 @@ use super::tabulated::Tabulated;
 use crate::bsdf::precision::Precision;
 use crate::num::Vec3;
 
-/// A distribution, with the tables that it needs.
+/// A distribution, with its tables if it has any.
 pub(super) enum Distribution<T> {
     /// Its parameters are those of the [`Roughness`].
     Ggx,
     /// Its parameters are those of the [`Roughness`].
     Beckmann,
-    /// For one alpha.
+    /// A distribution with tables for one alpha.
     Tabulated(Box<Tabulated<T>>),
 }
 
-/// A [`Distribution`], borrowed: a copy in a surface, since lanes write memory that a reference might point
-/// to, and the compiler would read it again for each element.
+/// A [`Distribution`] whose tables are borrowed. A surface has a copy of it, because the compiler would
+/// read a reference again for each element after lanes have written to memory.
 #[derive(Clone, Copy)]
 pub(super) enum DistributionRef<'a, T> {
     Ggx,
@@ -37,8 +37,8 @@ impl<T> Distribution<T> {
     }
 }
 
-/// Evaluates an expression in the [`Ndf`](super::ndf::Ndf) of a [`DistributionRef`] and a [`Roughness`]. The
-/// choice is made where it is used, since an enumeration that holds lanes would be taken apart in memory.
+/// Evaluates an expression for the [`Ndf`](super::ndf::Ndf) of a [`DistributionRef`] and a [`Roughness`].
+/// It is a macro because an enumeration with lanes in it would be stored to memory.
 macro_rules! with_ndf {
     ($distribution:expr, $roughness:expr, |$ndf:ident| $body:expr) => {
         match $distribution {
@@ -64,7 +64,8 @@ macro_rules! with_ndf {
 pub(super) use with_ndf;
 
 impl<T: Precision> Distribution<T> {
-    /// The albedo with F = 1, for one alpha or, if it varies, all of them. Not for stretched surfaces.
+    /// The table of the albedo with F = 1, for one alpha or, if alpha varies, for all of them. Surfaces
+    /// must be isotropic.
     pub fn energy(
         &self,
         roughness: &Roughness<T>,
@@ -73,7 +74,8 @@ impl<T: Precision> Distribution<T> {
     ) -> Energy<T> {
         let lobe = |alpha: T, wo: Vec3<T>, [azimuth, other]: [T; 2]| {
             let roughness = roughness.with_alpha(alpha);
-            // Of all but GGX the second number is the azimuth, or does not lead to the horizon.
+            // For all distributions but GGX the second number is the azimuth, or does not lead to the
+            // horizon.
             let u = match self {
                 Self::Ggx => [azimuth, other],
                 _ => [other, azimuth],

@@ -1,27 +1,27 @@
-//! The directional albedo of a microfacet lobe that absorbs nothing, in a table made at creation.
+//! The directional albedo of a microfacet lobe whose facets absorb nothing, in a table made at creation.
 //!
-//! With F = 1 a lobe still loses what its masking takes away. Kulla and Conty 2017 ("Revisiting
-//! Physically Based Shading at Imageworks") return that share, and Kelemen and Szirmay-Kalos 2001
-//! leave to a diffuse part what the highlight has not reflected; both need the lobe's albedo E(wo)
-//! and its mean over the hemisphere. Schlick's Fresnel term is linear in F0 and F90, so two numbers
-//! serve every colour:
+//! Even with F = 1 a lobe loses the light that masking takes away. Kulla and Conty 2017 ("Revisiting
+//! Physically Based Shading at Imageworks") add that light back, and Kelemen and Szirmay-Kalos 2001 give
+//! the light that the highlight does not reflect to a diffuse part. Both need the lobe's albedo E(wo) and
+//! its mean over the hemisphere. Schlick's Fresnel factor is linear in F0 and F90, so that two numbers are
+//! enough for every colour:
 //!
 //! E(F0, F90) = F0 (whole - grazing) + F90 grazing,
 //!
 //! where `grazing` is the albedo under F = (1 - <wo, h>)^5 (the two moments of the split-sum
 //! approximation: Karis 2013, "Real Shading in Unreal Engine 4").
 //!
-//! **Table.** A quadratic spline through the values at 14 roughnesses and 20 cosines. Roughnesses lie
-//! at equal steps of the cube root of alpha. Cosines lie at equal steps of
-//! sqrt((1 + c) mu / (mu + c)) with c = 4 alpha: E bends where the cosine is about alpha, and for
-//! great alpha like mu log(mu) at the horizon. Of `grazing` the table holds what differs from
-//! E (1 - mu)^5, its limit for alpha = 0, which is as smooth in these coordinates as E.
+//! **Table.** A quadratic spline through the values at 14 roughnesses and 20 cosines mu. The roughnesses
+//! are at equal steps of the cube root of alpha. The cosines are at equal steps of sqrt((1 + c) mu / (mu +
+//! c)) with c = 4 alpha, because E has its greatest curvature at cosines of about alpha, and for large
+//! alpha behaves like mu log(mu) at the horizon. For `grazing` the table has the difference from E (1 -
+//! mu)^5, its limit for alpha = 0, which is as smooth in these coordinates as E.
 //!
-//! **Error** against quadrature: at most 1e-3 for GGX with height-correlated masking, alpha in
-//! [1e-4, 1] and every cosine (`tests` below). Results are held to 0 <= grazing <= whole <= 1, which
-//! the spline may leave by its error.
+//! **Error** against quadrature: at most 1e-3 for GGX with height-correlated masking, alpha in [1e-4, 1]
+//! and every cosine (`tests` below). Results are clamped to 0 <= grazing <= whole <= 1, because the spline
+//! may exceed these bounds by its error.
 //!
-//! **Cost**: 105,560 samples of the lobe for all alphas, 7,540 for one.
+//! **Cost**: 105,560 samples of the lobe for a table of all alphas, 7,540 for one alpha.
 
 use super::half_vector::HalfVector;
 use super::masking::Masking;
@@ -30,53 +30,53 @@ use crate::bsdf::precision::Precision;
 use crate::num::spline::{controls, weights};
 use crate::num::{INDEX_BIAS, Lane, Real, Rgb, TableBlock, TableEntry, Vec3, each};
 
-/// Values along the cosine and, if there is more than one, along alpha.
+/// The numbers of values along the cosine and, in a table of all alphas, along alpha.
 const COSINES: usize = 20;
 const ALPHAS: usize = 14;
-/// Control points of one alpha.
+/// The number of control points for one alpha.
 const STRIDE: usize = COSINES + 2;
 
-/// The least alpha of a table; smoother lobes are mirrors.
+/// The least alpha of a table.
 pub(crate) const LEAST_ALPHA: f64 = 1e-4;
 
-/// Cosine in units of alpha at which half of the coordinate's square is spent.
+/// c / alpha for the c of the coordinate along the cosine.
 const BEND: f64 = 4.0;
 
-/// The Fibonacci lattice of `bsdf/quadrature.rs`, smaller.
+/// A Fibonacci lattice as in `bsdf/quadrature.rs`, but smaller.
 const NODES: u32 = 377;
 const GENERATOR: u32 = 233;
 
-/// Midpoints for the mean over the hemisphere; its error is below 1e-5.
+/// The number of midpoints for the mean over the hemisphere. The error of the mean is below 1e-5.
 const MEAN_NODES: u32 = 256;
 
-/// Albedo of a lobe with F = 1, and with F = (1 - <wo, h>)^5.
+/// The albedo of a lobe for two Fresnel factors.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Albedo<T> {
-    /// F = 1.
+    /// The albedo with F = 1.
     pub whole: T,
-    /// F = (1 - <wo, h>)^5, the part of F90.
+    /// The albedo with F = (1 - <wo, h>)^5, the factor of F90.
     pub grazing: T,
 }
 
 impl<T: Real> Albedo<T> {
-    /// Under Schlick's F with reflectance `f0` at normal incidence and `f90` at grazing incidence.
+    /// The albedo with Schlick's F, which is `f0` at normal incidence and `f90` at grazing incidence.
     #[inline(always)]
     pub fn under_schlick(&self, f0: T, f90: T) -> T {
         f0 * (self.whole - self.grazing) + f90 * self.grazing
     }
 }
 
-/// What a lobe's sampler gives for one pair of random numbers.
+/// A sample of a lobe.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reflected<T> {
-    /// value / pdf with F = 1; 0 where there is no direction.
+    /// value / pdf with F = 1; 0 where there is no valid direction.
     pub weight: T,
     /// <wo, h>
     pub cos_half: T,
 }
 
 impl<T: Lane> Reflected<T> {
-    /// By the normals that the distribution draws.
+    /// Samples the lobe by the normals of the distribution.
     #[inline(always)]
     pub fn by_ndf<N: Ndf<T>>(
         ndf: &N,
@@ -104,18 +104,18 @@ impl<T: Lane> Reflected<T> {
 /// The table of one lobe.
 #[derive(Clone, Debug)]
 pub(crate) struct Energy<T> {
-    /// Control points by cosine: `whole`, the difference of `grazing`, and fillers. Rows of equal
-    /// alpha, one or [`ALPHAS`] + 2.
+    /// Control points: `whole`, the difference for `grazing`, and fillers. A row has the points of one
+    /// alpha; there is one row, or [`ALPHAS`] + 2.
     points: Box<[TableEntry<T>]>,
-    /// Control points of the means over the hemisphere, one per row; with one row thrice the same.
+    /// Control points of the means over the hemisphere, one per row; with one row three equal ones.
     means: Box<[TableEntry<T>]>,
-    /// Whether there is one row.
+    /// Whether the table has one row, for one alpha.
     is_fixed: bool,
 }
 
 impl<T: Precision> Energy<T> {
-    /// For every alpha in [1e-4, 1]. `lobe` samples the lobe of an alpha for a viewer in the plane
-    /// y = 0, with u\[0\] as its azimuth.
+    /// The table for all alphas in [1e-4, 1]. `lobe` samples the lobe of an alpha for a viewer in the plane
+    /// y = 0; u\[0\] must be the azimuth of its sample.
     pub fn over_alpha(lobe: impl Fn(T, Vec3<T>, [T; 2]) -> Reflected<T>) -> Self {
         let lattice = lattice();
         let alphas: [f64; ALPHAS] = std::array::from_fn(|row| {
@@ -134,7 +134,7 @@ impl<T: Precision> Energy<T> {
         energy
     }
 
-    /// For one alpha.
+    /// The table for one alpha.
     pub fn of_alpha(alpha: T, lobe: impl Fn(Vec3<T>, [T; 2]) -> Reflected<T>) -> Self {
         let row = row_of(alpha, &lattice(), &|_, wo, u| lobe(wo, u));
         let mut energy = Self {
@@ -147,7 +147,7 @@ impl<T: Precision> Energy<T> {
         energy
     }
 
-    /// Where the table has one alpha: within [1e-4, 1], or the one it was made for.
+    /// The row of the table at an alpha in [1e-4, 1]. For a table of one alpha it must be that alpha.
     #[inline(always)]
     pub fn row<L: Lane<Scalar = T>>(&self, alpha: L) -> Row<L> {
         let (first, along) = if self.is_fixed {
@@ -168,7 +168,7 @@ impl<T: Precision> Energy<T> {
         }
     }
 
-    /// The albedo at the alpha of `row` for a viewer at this cosine.
+    /// The albedo at the alpha of `row` for a viewer at the cosine `cos_theta`.
     #[inline(always)]
     pub fn albedo<L: Lane<Scalar = T>>(&self, row: &Row<L>, cos_theta: L) -> Albedo<L> {
         let (zero, one) = (L::new(0.0), L::new(1.0));
@@ -192,8 +192,8 @@ impl<T: Precision> Energy<T> {
         Albedo { whole, grazing }
     }
 
-    /// The mean of the table's albedo over the hemisphere, by the midpoint rule in sqrt(mu), in which
-    /// it is smooth at the horizon: the integral of 2 mu E(mu) over mu in [0, 1].
+    /// The mean of the albedo over the hemisphere, which is the integral of 2 mu E(mu) over mu in [0, 1],
+    /// by the midpoint rule in sqrt(mu), in which E is smooth at the horizon.
     fn mean(&self, alpha: T) -> Rgb<f64> {
         let row = self.row(alpha);
         let mut sum = [0.0; 3];
@@ -208,10 +208,11 @@ impl<T: Precision> Energy<T> {
     }
 }
 
-/// One alpha of a table.
+/// A table at one alpha.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row<T> {
-    /// The first of the three rows of control points around alpha, and their weights.
+    /// The index of the first of the three rows of control points around alpha, and the weights of these
+    /// rows.
     first: T,
     along: [T; 3],
     bend: T,
@@ -220,7 +221,7 @@ pub(crate) struct Row<T> {
 }
 
 impl<T: Lane<Scalar = T>> Row<T> {
-    /// The same everywhere.
+    /// The same row in every lane.
     #[inline(always)]
     pub fn splat<L: Lane<Scalar = T>>(&self) -> Row<L> {
         Row {
@@ -235,7 +236,8 @@ impl<T: Lane<Scalar = T>> Row<T> {
     }
 }
 
-/// The whole number in [0, count) nearest to a position, plus [`INDEX_BIAS`], and the distance from it.
+/// The whole number in [0, count) that is nearest to a position, plus [`INDEX_BIAS`], and the distance of
+/// the position from it.
 #[inline(always)]
 fn nearest<T: Real>(position: T, count: usize) -> (T, T) {
     let index = position.round().max(T::new(0.0));
@@ -247,8 +249,9 @@ fn packed<T: Real>([whole, difference, _]: Rgb<f64>) -> TableEntry<T> {
     TableEntry::new([whole, difference, difference].map(T::new))
 }
 
-/// Two uniform numbers and their weight, for the mean over the lobe's random numbers: the azimuth
-/// first, the other through 1 - (1 - t)^2, as lobes end at the horizon, where that number is 1.
+/// The nodes of the mean over the two random numbers of a lobe, with their weights. The first number is the
+/// azimuth. The second is 1 - (1 - t)^2 of a lattice coordinate t, because lobes end at the horizon, where
+/// that number is 1.
 fn lattice<T: Real>() -> Vec<([T; 2], T)> {
     let nodes = (0..NODES).map(|i| {
         let t = (f64::from(i) + 0.5) / f64::from(NODES);
@@ -260,7 +263,7 @@ fn lattice<T: Real>() -> Vec<([T; 2], T)> {
     nodes.collect()
 }
 
-/// The control points of one alpha.
+/// The control points for one alpha.
 fn row_of<T: Precision>(
     alpha: T,
     lattice: &[([T; 2], T)],
@@ -269,7 +272,7 @@ fn row_of<T: Precision>(
     let bend = f64::from(alpha.to_f32()) * BEND;
     let values: Vec<Rgb<f64>> = (0..COSINES)
         .map(|i| {
-            // The horizon itself is a limit: near it E changes by less than its share of a step.
+            // At the horizon itself E is a limit, so the first node is close to it.
             let x = (i as f64 / (COSINES - 1) as f64).max(1e-3).powi(2);
             let cosine = (bend * x / (1.0 + bend - x)).min(1.0);
             let wo = Vec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
@@ -291,7 +294,7 @@ fn row_of<T: Precision>(
     points
 }
 
-/// The control points along alpha of every column of [`ALPHAS`] rows.
+/// The control points along alpha, for every column of [`ALPHAS`] rows.
 fn along_alpha<T: Real>(rows: &[Vec<Rgb<f64>>; ALPHAS]) -> Box<[TableEntry<T>]> {
     let width = rows[0].len();
     let mut points = vec![TableEntry::new([T::new(0.0); 3]); (ALPHAS + 2) * width];

@@ -1,6 +1,6 @@
-//! The Fresnel factor: how much a facet reflects.
+//! The Fresnel factor F: the reflectance of a facet.
 
-use super::{F0, THICKNESS_NM};
+use super::params::{F0, THICKNESS_NM};
 use crate::bsdf::precision::Precision;
 use crate::error::Error;
 use crate::film::{Film, FilmDescription};
@@ -10,30 +10,30 @@ use crate::optics::{
 };
 use std::sync::Arc;
 
-/// What facets consist of, with the parameters set; borrows the film.
+/// The Fresnel factor for one call.
 #[derive(Clone, Copy)]
 pub(super) enum Fresnel<'a, T: Lane> {
     /// Schlick's approximation.
     Schlick { f0: T::Rgb, f90: T::Rgb },
-    /// Exact, transparent.
+    /// The exact reflectance of a dielectric. `is_gray` tells that all channels have the same index.
     Dielectric { eta: T::Rgb, is_gray: bool },
-    /// Exact, at one index eta + i k per channel.
+    /// The exact reflectance of a conductor with one index eta + i k per channel.
     Conductor { eta: T::Rgb, k: T::Rgb },
-    /// The same to within rounding.
+    /// The same by a polynomial, to within rounding.
     Polynomial(&'a ConductorPolynomial<<T::Scalar as Lane>::Rgb>),
-    /// By wave optics, spectrally integrated.
+    /// The reflectance of a film.
     Film { film: &'a Film, thickness_nm: T },
 }
 
 impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
-    /// The reflectance in \[0, 1\] at the cosine <wo, h>. Colours of films that were asked for
-    /// unclipped are clipped here.
+    /// The reflectance in \[0, 1\] at the cosine <wo, h>. The colours of unclipped films are clipped here.
     #[inline(always)]
     pub fn reflectance(&self, cos_theta: L) -> Rgb<L> {
         let cosines = cos_theta.gray();
         match *self {
             Self::Schlick { f0, f90 } => L::channels(schlick_between(f0, f90, cosines)),
-            // In lanes one channel may serve all; alone they share a register.
+            // In lanes, equal channels are computed once. In single calls the channels share a register, so
+            // that there is nothing to save.
             Self::Dielectric { eta, is_gray: true } if L::COUNT > 1 => {
                 let [eta, ..] = L::channels(eta);
                 L::channels(dielectric_reflectance(cosines, eta.gray()))
@@ -55,7 +55,8 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
         }
     }
 
-    /// Replaces the value of a parameter that varies per call; those of other kinds have no effect.
+    /// Replaces the value of a parameter that varies per call. Parameters of other Fresnel factors have no
+    /// effect.
     #[inline(always)]
     pub fn vary(&mut self, param: usize, value: [L; 3]) {
         match self {
@@ -66,7 +67,7 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
     }
 }
 
-/// What facets consist of, as compiled: the same kinds, owning the film.
+/// The compiled Fresnel factor, which owns the film.
 pub(super) enum CompiledFresnel<T: Lane> {
     /// [`Fresnel::Schlick`]
     Schlick { f0: T::Rgb, f90: T::Rgb },
@@ -81,7 +82,7 @@ pub(super) enum CompiledFresnel<T: Lane> {
 }
 
 impl<T: Precision> CompiledFresnel<T> {
-    /// Of a named medium without a coating.
+    /// The Fresnel factor of a named medium without a coating.
     pub fn of_metal(name: &str) -> Result<Self, Error> {
         let film = Film::new(&FilmDescription::new(Medium::named(name)?))?;
         Ok(Self::Film {
@@ -90,7 +91,7 @@ impl<T: Precision> CompiledFresnel<T> {
         })
     }
 
-    /// See [`Kernel::plan`](crate::bsdf::kernel::Kernel::plan).
+    /// The parts of the plan in words, see [`Kernel::plan`](crate::bsdf::kernel::Kernel::plan).
     pub fn plan(&self) -> Vec<&'static str> {
         const LOST_IN_BASE: &str =
             "what enters the facets is absorbed, as this model only reflects";
@@ -105,7 +106,7 @@ impl<T: Precision> CompiledFresnel<T> {
         }
     }
 
-    /// For one call.
+    /// The Fresnel factor for one call.
     #[inline(always)]
     pub fn fresnel<L: Lane<Scalar = T>>(&self) -> Fresnel<'_, L> {
         let splat = L::splat_rgb;

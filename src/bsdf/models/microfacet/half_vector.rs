@@ -2,19 +2,18 @@
 
 use crate::num::{Real, Vec3};
 
-/// The least number whose inverse is one in single precision, but for rounding.
+/// The least divisor: about the least number whose inverse is finite in single precision.
 const LEAST_SUM: f64 = 1.2e-38;
 
-/// Half vectors are at least this high: it changes none above the horizon's last 1e-30, and lets
-/// distributions take their logarithm.
+/// The least z of a half vector, so that distributions can take its logarithm.
 const LEAST_NORMAL: f64 = 1e-30;
 
 /// Two directions and the half vector between them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HalfVector<T> {
-    /// To the viewer.
+    /// The direction to the viewer.
     pub wo: Vec3<T>,
-    /// To the light.
+    /// The direction to the light.
     pub wi: Vec3<T>,
     /// A vector along the half vector h, whose largest component is 1 in magnitude.
     pub sum: Vec3<T>,
@@ -26,10 +25,10 @@ pub(crate) struct HalfVector<T> {
 }
 
 impl<T: Real> HalfVector<T> {
-    /// Of two directions with z > 0. The sum is divided by its largest component before its length
-    /// is taken, since along the surface both may be as small as numbers can be. Sums of nearly
-    /// opposite components are exact, so h keeps its digits where a narrow lobe needs them. For unit
-    /// vectors <wo, h> is half the length of the sum, which is never 0.
+    /// The half vector of two directions with z > 0. The sum is divided by its largest component before its
+    /// length is computed, because at grazing angles the sum may be too short to be squared. Sums of nearly
+    /// opposite components are exact, so that h keeps the digits that a narrow lobe needs. For unit vectors
+    /// <wo, h> is half the length of the sum, which is never 0.
     #[inline(always)]
     pub fn new(wo: Vec3<T>, wi: Vec3<T>) -> Self {
         let sum = wo.plus(wi);
@@ -48,7 +47,7 @@ impl<T: Real> HalfVector<T> {
         }
     }
 
-    /// The half vector, unit.
+    /// The half vector, of unit length.
     #[inline(always)]
     pub fn h(&self) -> Vec3<T> {
         let mut h = self.sum.scaled(T::new(1.0) / self.length);
@@ -56,7 +55,7 @@ impl<T: Real> HalfVector<T> {
         h
     }
 
-    /// With all directions turned about +Z by the angle of the given cosine and sine.
+    /// All directions rotated about +Z by the angle with the given cosine and sine.
     #[inline(always)]
     pub fn turned(&self, turn: [T; 2]) -> Self {
         Self {
@@ -68,7 +67,7 @@ impl<T: Real> HalfVector<T> {
     }
 }
 
-/// The direction turned about +Z by the angle of the given cosine and sine.
+/// A direction rotated about +Z by the angle with the given cosine and sine.
 #[inline(always)]
 pub(super) fn turned<T: Real>(w: Vec3<T>, [cos, sin]: [T; 2]) -> Vec3<T> {
     Vec3::new(w.x * cos - w.y * sin, w.x * sin + w.y * cos, w.z)

@@ -1,4 +1,4 @@
-//! Masking and shadowing, the factor G: which part of the facets both directions see.
+//! Masking and shadowing, the factor G: the part of the facets that both directions see.
 
 use super::half_vector::HalfVector;
 use super::ndf::{GREATEST, Ndf};
@@ -7,9 +7,9 @@ use crate::num::{Lane, Real, Vec3};
 /// The choices of the parameter `masking`, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Masking {
-    /// Exact for the distribution, heights correlated.
+    /// Smith's masking, which is exact for the distribution, with correlated heights.
     Smith,
-    /// Rational in the cosines.
+    /// Schlick's approximation.
     Schlick,
     /// Kelemen's approximation of [`Masking::CookTorrance`].
     Kelemen,
@@ -20,7 +20,7 @@ pub(crate) enum Masking {
 }
 
 impl Masking {
-    /// In the order of the parameter's choices.
+    /// All of them, in the order of the parameter's choices.
     pub const ALL: [Self; 5] = [
         Self::Smith,
         Self::Schlick,
@@ -29,7 +29,8 @@ impl Masking {
         Self::Implicit,
     ];
 
-    /// [`Ndf::smith`], where it is asked for: all that masking needs of the distribution.
+    /// [`Ndf::smith`] for [`Masking::Smith`], the only one that depends on the distribution; 0 for the
+    /// others.
     #[inline(always)]
     pub fn of_ndf<T: Lane, N: Ndf<T>>(self, ndf: &N, pair: &HalfVector<T>) -> T {
         if self == Self::Smith {
@@ -39,9 +40,9 @@ impl Masking {
         }
     }
 
-    /// G / (4 n.v), which times D and F is the value f(wo, wi) n.l: the cosines of the definition are
-    /// cancelled on paper, because their products vanish in rounding at the horizon. Those of
-    /// [`Masking::Kelemen`] and [`Masking::CookTorrance`] are held at [`GREATEST`].
+    /// G / (4 n.v), whose product with D and F is the value f(wo, wi) n.l. The formulas are simplified so
+    /// that no product of cosines, which could underflow at the horizon, is left. The factors of
+    /// [`Masking::Kelemen`] and [`Masking::CookTorrance`] are clamped to [`GREATEST`].
     #[inline(always)]
     pub fn factor<T: Lane>(self, smith: T, alpha: [T; 2], pair: &HalfVector<T>) -> T {
         let (one, quarter) = (T::new(1.0), T::new(0.25));
@@ -49,8 +50,7 @@ impl Masking {
         let vh = pair.cos_half;
         match self {
             Self::Smith => smith,
-            // G1 = n.v / (n.v (1 - k) + k), k = m sqrt(2 / pi): Schlick 1994, eq. 19, as the lecture
-            // prints it.
+            // G1 = n.v / (n.v (1 - k) + k), k = m sqrt(2 / pi): Schlick 1994, eq. 19, as in the lecture.
             Self::Schlick => {
                 let toward = schlick_denominator(pair.wo, alpha);
                 quarter * nl / (toward * schlick_denominator(pair.wi, alpha))
@@ -68,7 +68,7 @@ impl Masking {
         }
     }
 
-    /// G of a perfect mirror, the limit for alpha = 0.
+    /// G of a perfect mirror: the limit for alpha = 0.
     #[inline(always)]
     pub fn of_mirror<T: Real>(self, cos_theta: T) -> T {
         match self {

@@ -1,4 +1,4 @@
-//! A perfect mirror: one facet.
+//! The perfect mirror, alpha = 0.
 
 use super::fresnel::CompiledFresnel;
 use super::masking::Masking;
@@ -10,7 +10,7 @@ use crate::bsdf::precision::Precision;
 use crate::bsdf::varying::VaryingValues;
 use crate::num::{Rgb, Vec3};
 
-/// The mirror, compiled.
+/// The compiled mirror.
 pub(super) struct Mirror<T: Precision> {
     pub(super) fresnel: CompiledFresnel<T>,
     pub(super) masking: Masking,

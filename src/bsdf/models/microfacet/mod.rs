@@ -1,57 +1,58 @@
 //! # `microfacet`: rough reflection, f = D G F / (4 (n.l)(n.v))
 //!
-//! The surface is made of facets, each a mirror, too small to be seen and large against the wavelength.
-//! Those that turn wi into wo have the normal h between both: D says how many there are, G which part of
-//! them both directions see, F how much they reflect (Torrance and Sparrow 1967, Cook and Torrance 1982,
-//! Walter et al. 2007, eq. 20; the lecture's specular term). Use it for metals, coated or not, and for the
-//! gloss of anything else; not for surfaces whose scratches or flakes can be told apart.
+//! The surface consists of facets, each a mirror, too small to be seen and large compared with the
+//! wavelength. The facets that reflect wi to wo have the half vector h as normal: D is their density, G the
+//! part of them that both directions see, and F their reflectance (Torrance and Sparrow 1967, Cook and
+//! Torrance 1982, Walter et al. 2007, eq. 20; the lecture's specular term). Use it for metals, coated or
+//! not, and for the gloss of other materials; do not use it for surfaces with visible scratches or flakes.
 //!
-//! **D**, normalised: the integral of D(h) (n.h) is 1.
-//! - `ggx`, Trowbridge and Reitz 1975: slopes of an ellipsoid; a sharp highlight with long tails.
+//! **D** is normalised: the integral of D(h) (n.h) over the hemisphere is 1.
+//! - `ggx`, Trowbridge and Reitz 1975: the normals of an ellipsoid; a sharp highlight with long tails.
 //! - `beckmann`, Beckmann and Spizzichino 1963: normally distributed slopes; no tails.
 //! - `blinn_phong`, Blinn 1977: a power of the cosine, nearly `beckmann`.
-//! - `abc`, Church and Takacs; Löw et al. 2012: a tip, and a tail of any power, `abc_exponent`. The
-//!   lecture prints it without its normalisation, which is added here.
+//! - `abc`, Church and Takacs; Löw et al. 2012: a tail of any power, `abc_exponent`. The lecture prints it
+//!   without its normalisation, which is added here.
 //! - `sgd`, shifted gamma, Bagher et al. 2012: a tail of power `sgd_p` that an exponential ends.
 //!
-//! **alpha** is the height at the normal: D(n) = 1 / (pi alpha^2) for all of them, so that they can be
-//! exchanged. A roughness slider's alpha is usually its square (Burley 2012). A Phong exponent e has
-//! alpha = sqrt(2 / (e + 2)) (Walter et al. 2007, section 5.2, for the normals' exponent). `ggx` and
-//! `beckmann` can be stretched: by `anisotropy` to alpha / a along and alpha a across, a =
-//! sqrt(1 - 0.9 anisotropy) (Burley 2012), the rougher direction `rotation_turns` turns from +X. alpha = 0 is a
-//! perfect mirror; between 0 and 1e-4 single precision has no digits left, and the description is refused.
-//! The other three have tables for one alpha: theirs cannot vary.
+//! **alpha** sets the height at the normal: D(n) = 1 / (pi alpha^2) for all distributions, so that they can
+//! be exchanged. The alpha of a roughness slider is usually its square (Burley 2012). A Phong exponent e of
+//! normals has alpha = sqrt(2 / (e + 2)) (Walter et al. 2007, section 5.2). `ggx` and `beckmann` can be
+//! anisotropic: with a = sqrt(1 - 0.9 anisotropy) (Burley 2012) the roughness is alpha / a along the
+//! rougher axis, which is `rotation_turns` from +X, and alpha a across it. alpha = 0 is a perfect mirror; a
+//! description with an alpha between 0 and 1e-4 is refused, because single precision has too few digits for
+//! it. The other three distributions have tables for one alpha, so that theirs cannot vary.
 //!
 //! **G**
-//! - `smith`: exact for the distribution if neighbouring facets do not know of each other, the heights
-//!   that both directions see correlated (Smith 1967; Heitz 2014, eq. 99).
-//! - `schlick`: G1 = n.v / (n.v (1 - k) + k), k = m sqrt(2 / pi) with m = alpha, along a stretched surface
-//!   that of the direction (Schlick 1994; the lecture). Made for `beckmann`, and darker than its `smith`.
+//! - `smith`: exact for the distribution if neighbouring facets are independent of each other, with
+//!   correlated heights (Smith 1967; Heitz 2014, eq. 99).
+//! - `schlick`: G1 = n.v / (n.v (1 - k) + k), k = m sqrt(2 / pi), where m is alpha, for anisotropic
+//!   surfaces the roughness along the direction (Schlick 1994; the lecture). It approximates `smith` of
+//!   `beckmann` and is darker.
 //! - `kelemen`: (n.l)(n.v) / (v.h)^2 (Kelemen and Szirmay-Kalos 2001).
-//! - `cook_torrance`: all facets in V-shaped grooves (Torrance and Sparrow 1967).
+//! - `cook_torrance`: all facets form V-shaped grooves (Torrance and Sparrow 1967).
 //! - `implicit`: (n.l)(n.v), which darkens even a mirror.
 //!
 //! **F**
 //! - `schlick`: f0 + (f90 - f0) (1 - v.h)^5 (Schlick 1994).
-//! - `dielectric`: exact, `eta` for each channel.
-//! - `conductor`: exact, `eta` and `k` for each channel; or a `metal` by its measured spectrum,
-//!   integrated like a film's.
-//! - `film`: a film's reflectance at v.h and `thickness_nm`, whose rules are those of the `film` model.
-//!   It is clipped to \[0, 1\] for unclipped films too. A film without a table (its plan says so) takes
-//!   some hundred us a call.
+//! - `dielectric`: exact, with `eta` per channel.
+//! - `conductor`: exact, with `eta` and `k` per channel; or a `metal` by its measured spectrum, integrated
+//!   as for a film.
+//! - `film`: the reflectance of a film at v.h and `thickness_nm`, with the rules of the model `film`. It is
+//!   clipped to \[0, 1\] for unclipped films too. A film without a table (its plan says so) takes some
+//!   hundred us a call.
 //!
-//! **Energy**: the grooves of `cook_torrance` are a surface that there could be, so the albedo is at most
-//! that of F for every D (Heitz 2014), as with `smith`; `kelemen` and `implicit` are below
-//! it everywhere. `schlick` follows from alpha alone: with `abc`, whose tail is steeper than alpha tells,
-//! albedos pass 100. All combinations are reciprocal. What facets reflect onto other facets is lost: of
-//! white light seen from above half to two thirds for alpha = 1, a tenth and less for alpha = 0.3.
-//! `energy_compensation` gives it back, to 4e-3 of what a white surface should return (6e-4 for `ggx` with
-//! `smith`): see `compensation.rs`.
+//! **Energy**: with `cook_torrance`, whose grooves are a possible surface, and with `smith` the albedo is
+//! at most that of F for every D (Heitz 2014); `kelemen` and `implicit` are below it everywhere. `schlick`
+//! depends on alpha alone: with `abc`, whose tail has steeper facets than alpha suggests, the albedo may
+//! exceed 100. All combinations are reciprocal. Light that facets reflect onto other facets is lost: with F
+//! = 1 and seen along the normal half to two thirds of it for alpha = 1, a tenth and less for alpha = 0.3.
+//! `energy_compensation` adds it back, with an error of 4e-3 of the albedo of a white surface (6e-4 for
+//! `ggx` with `smith`): see `compensation.rs`.
 //!
-//! **Sampling**: visible normals for `ggx` and `beckmann`, which leaves F G / G1 as the weight, at most 1
-//! with `smith`; D (n.h) for the others, whose weights grow towards the horizon.
+//! **Sampling**: by visible normals for `ggx` and `beckmann`, so that the weight is F G / G1, at most 1
+//! with `smith`; by D (n.h) for the others, whose weights grow towards the horizon.
 //!
-//! Films are evaluated in single precision, in the instance in double precision too.
+//! Films are evaluated in single precision, in double-precision BSDFs too.
 
 pub(crate) mod abc;
 pub(crate) mod beckmann;
@@ -66,6 +67,7 @@ pub(crate) mod half_vector;
 pub(crate) mod masking;
 mod mirror;
 pub(crate) mod ndf;
+mod params;
 mod projected;
 mod quantile;
 mod rough;
@@ -79,11 +81,18 @@ use self::distribution::Distribution;
 use self::fresnel::CompiledFresnel;
 use self::masking::Masking;
 use self::mirror::Mirror;
+use self::params::{
+    ABC, ABC_EXPONENT, ALPHA, ANISOTROPY, BECKMANN, BLINN_PHONG, CONDUCTOR, CUSTOM, DIELECTRIC,
+    DISTRIBUTION, ENERGY_COMPENSATION, ETA, F0, F90, FILM, FRESNEL, GGX, IMPLICIT, K, MASKING,
+    METAL, OFF, ROTATION, SCHLICK, SCHLICK_MASKING, SGD, SGD_P, THICKNESS_NM,
+};
 use self::rough::Rough;
 use self::roughness::Roughness;
 use self::tabulated::Tabulated;
 use crate::bsdf::compiled::kernel;
-use crate::bsdf::info::{Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind};
+use crate::bsdf::info::{
+    Choice, Exception, Flags, LobeInfo, ModelInfo, ParamInfo, ParamKind, chosen,
+};
 use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::{Bounds, Values};
@@ -95,46 +104,7 @@ use std::sync::Arc;
 /// The model; see the module's documentation.
 pub struct Microfacet;
 
-const DISTRIBUTION: usize = 0;
-const MASKING: usize = 1;
-const FRESNEL: usize = 2;
-const ALPHA: usize = 3;
-const ANISOTROPY: usize = 4;
-const ROTATION: usize = 5;
-const F0: usize = 6;
-const F90: usize = 7;
-const ETA: usize = 8;
-const K: usize = 9;
-const METAL: usize = 10;
-const THICKNESS_NM: usize = 11;
-const ABC_EXPONENT: usize = 12;
-const SGD_P: usize = 13;
-const ENERGY_COMPENSATION: usize = 14;
-
-/// The choices of `distribution`.
-const GGX: usize = 0;
-const BECKMANN: usize = 1;
-const BLINN_PHONG: usize = 2;
-const ABC: usize = 3;
-const SGD: usize = 4;
-
-/// Choices of `masking`.
-const SCHLICK_MASKING: usize = 1;
-const IMPLICIT: usize = 4;
-
-/// The choices of `fresnel`.
-const SCHLICK: usize = 0;
-const DIELECTRIC: usize = 1;
-const CONDUCTOR: usize = 2;
-const FILM: usize = 3;
-
-/// A choice of `energy_compensation`.
-const OFF: usize = 0;
-
-/// A choice of `metal`.
-const CUSTOM: usize = 0;
-
-/// The choices of `metal`: after the first the names of media.
+/// The choices of `metal`. All but the first are names of media.
 const METALS: &[&str] = &[
     "custom", "Ag", "Al", "Au", "Cr", "Cu", "Fe", "Ni", "Pt", "Ti",
 ];
@@ -146,20 +116,16 @@ const WITH_ETA: &[&[Choice]] = &[
     &[chosen(FRESNEL, DIELECTRIC)],
     &[chosen(FRESNEL, CONDUCTOR), chosen(METAL, CUSTOM)],
 ];
-/// The distributions that can be stretched.
+/// The distributions that can be anisotropic.
 const WITH_STRETCH: &[&[Choice]] = &[
     &[chosen(DISTRIBUTION, GGX)],
     &[chosen(DISTRIBUTION, BECKMANN)],
 ];
 
-const fn chosen(param: usize, choice: usize) -> Choice {
-    Choice { param, choice }
-}
-
-/// Least roughness that is not a mirror's.
+/// The least alpha of a rough surface.
 const LEAST_ALPHA: f32 = 1e-4;
 
-/// A mirror has the first, a rough surface the second, and the third with energy compensation.
+/// A mirror has the first lobe; a rough surface has the second and, with energy compensation, the third.
 const LOBES: &[LobeInfo] = &[
     LobeInfo {
         name: "mirror",
@@ -174,10 +140,6 @@ const LOBES: &[LobeInfo] = &[
         flags: Flags::REFLECTION.with(Flags::DIFFUSE),
     },
 ];
-
-/// Numbers of a rough surface's lobes in a sample.
-const REFLECTION_LOBE: usize = 0;
-const MULTIPLE_LOBE: usize = 1;
 
 impl Model for Microfacet {
     const INFO: ModelInfo = ModelInfo {
@@ -333,7 +295,7 @@ fn fresnel<T: Precision>(values: &Values<T>) -> Result<CompiledFresnel<T>, Error
     })
 }
 
-/// What is allowed alone but not together.
+/// Refuses values that are allowed alone but not together.
 fn check(bounds: &Bounds) -> Result<(), Error> {
     let (least, greatest) = (&bounds.least, &bounds.greatest);
     let (smoothest, roughest) = (least.number(ALPHA), greatest.number(ALPHA));

@@ -1,36 +1,36 @@
-//! Smith's masking of isotropic distributions that have no closed form of it: the projected area of
-//! the facets that face away, tabulated over the cosine.
+//! Smith's masking for isotropic distributions without a closed form of it: w.z Lambda(w), tabulated over
+//! the cosine.
 
 use super::cubics::{Cubics, keep_falling};
 use super::slopes::slope_density;
 use crate::num::{Lane, Vec3};
 
-/// Pieces of the table; 2 KiB in single precision.
+/// The number of pieces of the table, which takes 2 KiB in single precision.
 const PIECES: usize = 128;
 
-/// The area averted from w, w.z Lambda(w), see [`Ndf::cos_times_lambda`](super::ndf::Ndf::cos_times_lambda).
+/// w.z Lambda(w), see [`Ndf::cos_times_lambda`](super::ndf::Ndf::cos_times_lambda).
 ///
-/// With mu = cot theta and r = tan of a facet's angle, Heitz 2014, eq. 43, after the integral over
-/// azimuth, is sin theta times
+/// With mu = cot theta and the slope r of a facet, it is sin theta times A(mu), which is Heitz 2014, eq.
+/// 43, after integration over the azimuth:
 ///
 /// ```text
 /// A(mu) = 2 integral from mu to infinity of P22(r) (sqrt(r^2 - mu^2) - mu acos(mu / r)) r dr
 /// A'(mu) = -2 integral from mu to infinity of P22(r) acos(mu / r) r dr
 /// ```
 ///
-/// A falls from A(0), the mean slope over pi, convexly to 0. The table has A / A(0) over
-/// sqrt(mu) / (sqrt(mu) + sqrt(A(0))): A has a cusp at 0 if the slopes have a sharp peak, and falls as
-/// 1 / mu if they reach the horizon; both ends are parabolas in that coordinate.
+/// A is convex and falls from A(0), which is the mean slope over pi, to 0. The table has A / A(0) as a
+/// function of sqrt(mu) / (sqrt(mu) + sqrt(A(0))). A has a cusp at 0 if the slopes have a sharp peak, and
+/// falls as 1 / mu if they reach the horizon; in this coordinate it is a parabola at both ends.
 ///
-/// G1 = w.z / (w.z + area) is off by 1e-7 at most (the unit tests measure it), is in [0, 1] and never
-/// falls with w.z but for rounding.
+/// The error of G1 = w.z / (w.z + w.z Lambda) is at most 1e-7 (the unit tests measure it). G1 is in [0, 1]
+/// and, apart from rounding, does not fall with w.z.
 pub(super) struct Projected<T> {
     at_horizon: T,
     curve: Cubics<T, PIECES>,
 }
 
 impl<T: Lane<Scalar = T>> Projected<T> {
-    /// Of a normalised density D, whose height at the normal is 1 / (pi alpha^2) and the greatest.
+    /// The table for a normalised density D, whose greatest value is 1 / (pi alpha^2), at the normal.
     pub(super) fn new(alpha: f64, density: impl Fn(Vec3<f64>) -> f64) -> Self {
         let integrals = |mu: f64| integrals(alpha, &density, mu);
         let [at_horizon, _] = integrals(0.0);
@@ -52,28 +52,29 @@ impl<T: Lane<Scalar = T>> Projected<T> {
         }
     }
 
-    /// For w.z >= 0.
+    /// w.z Lambda(w) for w.z >= 0.
     #[inline(always)]
     pub(super) fn cos_times_lambda<L: Lane<Scalar = T>>(&self, w: Vec3<L>) -> L {
         let most = L::splat(self.at_horizon) * (w.x.squared() + w.y.squared()).sqrt();
         let root = w.z.sqrt_positive();
         let x = root / (root + most.sqrt());
-        // Rounding may leave a piece that ends at 0 a little below.
+        // Rounding may make a piece that ends at 0 slightly negative.
         let share = self.curve.at(x * L::new(PIECES as f64)).max(L::new(0.0));
         most * share
     }
 }
 
-/// Distance h of the nodes in ln s. The sharpest integrand, s^3 e^(-s^2), is summed with a relative
-/// error of 2 |Gamma(3/2 + i pi / h)| / Gamma(3/2), by its Fourier transform: 1.5e-8.
+/// The distance h of the nodes in ln s. The relative error for the sharpest integrand, s^3 e^(-s^2), is 2
+/// |Gamma(3/2 + i pi / h)| / Gamma(3/2) = 1.5e-8, by its Fourier transform.
 const STEP: f64 = 0.22;
-/// Terms below this part of the sum end it; what follows them is 5 times that at most.
+/// The sum ends with a term below this fraction of it. The terms left out are at most 5 times as much.
 const LAST: f64 = 1e-9;
 
-/// A(mu) and A'(mu), with r^2 = mu^2 + s^2 and the trapezoidal rule in ln s.
+/// A(mu) and A'(mu), with r^2 = mu^2 + s^2, by the trapezoidal rule in ln s.
 fn integrals(alpha: f64, density: impl Fn(Vec3<f64>) -> f64, mu: f64) -> [f64; 2] {
-    // Left out below is less than `least`, as s^2 P22 < 1 for slopes whose density falls; beside mu the
-    // terms grow with the fifth power. A(0) is at least 2 alpha / (3 pi), that of a disk of even density.
+    // The part below `least` is less than `least`, because s^2 P22 < 1 for slopes whose density falls. For
+    // s below mu the terms grow with the fifth power of s. A(0) is at least 2 alpha / (3 pi), the value for
+    // a disk of constant density.
     let least = (1e-9 * alpha).max(5e-3 * mu);
     let mut sums = [0.0; 2];
     for k in 0.. {
@@ -83,7 +84,7 @@ fn integrals(alpha: f64, density: impl Fn(Vec3<f64>) -> f64, mu: f64) -> [f64; 2
         let term = (s - mu * angle) * measure;
         sums[0] += term;
         sums[1] -= angle * measure;
-        // At last the terms fall at least as fast as 1 / s.
+        // From there on the terms fall at least as fast as 1 / s.
         let is_late = s > alpha.max(mu);
         if is_late && term <= LAST * sums[0].max(mu).max(alpha) {
             break;
@@ -99,7 +100,7 @@ mod tests {
     use crate::num::PI;
     use statrs::function::erf::erfc;
 
-    /// Greatest relative error of w.z + area, which is that of G1.
+    /// The greatest relative error of w.z + w.z Lambda, which is that of G1.
     fn worst(
         alpha: f64,
         density: impl Fn(Vec3<f64>) -> f64,
@@ -162,7 +163,8 @@ mod tests {
         }
     }
 
-    /// From above nothing is averted, at the horizon the mean slope over pi, and nothing is undefined.
+    /// w.z Lambda is 0 for w along the normal and the mean slope over pi at the horizon, and is defined
+    /// everywhere.
     #[test]
     fn is_defined_at_both_ends() {
         let even = |_: Vec3<f64>| 1.0 / PI;

@@ -1,34 +1,34 @@
-//! Sampling of isotropic distributions whose projected area has no inverse in closed form.
+//! Sampling of isotropic distributions for which the integral of D(h) h.z has no inverse in closed form.
 
 use super::cubics::Cubics;
 use super::slopes::slope_density;
 use crate::num::{Lane, Vec3};
 
-/// Pieces of the table; 4 KiB in single precision.
+/// The number of pieces of the table, which takes 4 KiB in single precision.
 const PIECES: usize = 256;
-/// The table reaches from -END to END in ln(u / (1 - u)); single precision's last number below 1 is
+/// The table goes from -END to END in ln(u / (1 - u)). The greatest number below 1 in single precision is
 /// at 16.6.
 const END: f64 = 24.0;
 
-/// Which squared slope t has the share u of the projected area below it: the solution of
+/// The squared slope t below which the share u of the projected area is: the solution of
 ///
 /// ```text
 /// u = integral from 0 to t of pi P22(t') dt'
 /// ```
 ///
-/// tabulated as ln(t (1 - u) / u) over ln(u / (1 - u)). At the tip t is proportional to u, and to
-/// 1 / (1 - u) if the distribution reaches the horizon; there the tabulated function is constant. In
-/// between it tells powers and exponentials of any steepness apart by slowly changing slopes.
+/// tabulated as ln(t (1 - u) / u) over ln(u / (1 - u)). Near the normal t is proportional to u, and near
+/// the horizon, if the distribution reaches it, to 1 / (1 - u), so that the tabulated function is constant
+/// at both ends. In between it varies slowly for powers and exponentials of any steepness.
 ///
-/// The density of samples is D(h) h.z to a relative error of 4e-5, where u is between 1e-7 and
-/// 1 - 1e-7: that is for slopes spread evenly over eight decades; 6e-6 is usual. The unit tests measure
-/// it.
+/// The density of samples is D(h) h.z with a relative error of at most 4e-5 for u between 1e-7 and 1 -
+/// 1e-7. The greatest error is that of slopes spread evenly over eight decades; 6e-6 is usual. The unit
+/// tests measure it.
 pub(super) struct Quantile<T> {
     curve: Cubics<T, PIECES>,
 }
 
 impl<T: Lane<Scalar = T>> Quantile<T> {
-    /// Of a normalised density D, whose height at the normal is 1 / (pi alpha^2).
+    /// The table for a normalised density D, whose height at the normal is 1 / (pi alpha^2).
     pub(super) fn new(alpha: f64, density: impl Fn(Vec3<f64>) -> f64) -> Self {
         let shares = Shares::new(alpha, density);
         let step = 2.0 * END / PIECES as f64;
@@ -47,7 +47,7 @@ impl<T: Lane<Scalar = T>> Quantile<T> {
         }
     }
 
-    /// A normal from two uniform numbers in [0, 1), with density D(h) h.z.
+    /// Samples a normal with the density D(h) h.z from two uniform numbers in [0, 1).
     #[inline(always)]
     pub(super) fn sample<L: Lane<Scalar = T>>(&self, u: [L; 2]) -> Vec3<L> {
         let one = L::new(1.0);
@@ -65,17 +65,18 @@ impl<T: Lane<Scalar = T>> Quantile<T> {
     }
 }
 
-/// The 8-point Gauss-Legendre rule on [-1, 1], its positive half: Abramowitz and Stegun, table 25.4.
+/// The positive nodes of the 8-point Gauss-Legendre rule on [-1, 1], and their weights: Abramowitz and
+/// Stegun, table 25.4.
 const GAUSS: [(f64, f64); 4] = [
     (0.183434642495650, 0.362683783378362),
     (0.525532409916329, 0.313706645877887),
     (0.796666477413627, 0.222381034453374),
     (0.960289856497536, 0.101228536290376),
 ];
-/// Length in ln t of the intervals that it is applied to.
+/// The length in ln t of the intervals that the rule is applied to.
 const INTERVAL: f64 = 0.5;
 
-/// The projected area below and above each of a row of equidistant ln t.
+/// The projected area below and above equidistant values of ln t.
 struct Shares<D> {
     density: D,
     from: f64,
@@ -93,8 +94,8 @@ impl<D: Fn(Vec3<f64>) -> f64> Shares<D> {
             below: vec![0.0; count + 1],
             above: vec![0.0; count + 1],
         };
-        // Before the first edge the area is proportional to t; after the last one to 1 / t, if there
-        // is any.
+        // Below the first edge the area is proportional to t, and above the last one to 1 / t, if there is
+        // any.
         shares.below[0] = shares.per_ln(from);
         shares.above[count] = shares.per_ln(shares.edge(count));
         let parts: Vec<f64> = (0..count)
@@ -124,7 +125,7 @@ impl<D: Fn(Vec3<f64>) -> f64> Shares<D> {
         half * GAUSS.iter().map(|(d, w)| w * pair(*d)).sum::<f64>()
     }
 
-    /// The areas below and above.
+    /// The areas below and above x = ln t.
     fn split(&self, x: f64) -> [f64; 2] {
         let k = ((x - self.from) / INTERVAL).max(0.0) as usize;
         let k = k.min(self.below.len() - 1);
@@ -132,8 +133,7 @@ impl<D: Fn(Vec3<f64>) -> f64> Shares<D> {
         [self.below[k] + part, self.above[k] - part]
     }
 
-    /// The ln t with ln(below / above) = logit, from a start nearby, by Newton's method on the
-    /// logarithm of the smaller of both.
+    /// The ln t at which ln(below / above) = logit, by Newton's method from a start nearby.
     fn solve(&self, logit: f64, start: f64) -> f64 {
         let mut x = start;
         for _ in 0..50 {
@@ -160,9 +160,9 @@ mod tests {
     use crate::bsdf::models::microfacet::slopes::sin_squared;
     use std::f64::consts::PI;
 
-    /// Greatest relative error of the samples' density: how much faster or slower than it should the
-    /// share below a sample grows, by central differences in ln(u / (1 - u)). `logit` is the truth, a
-    /// function of tan^2.
+    /// The greatest relative error of the density of samples: the error of the rate at which the share
+    /// below a sample grows, by central differences in ln(u / (1 - u)). `logit` is the exact ln(u / (1 -
+    /// u)) as a function of tan^2.
     fn worst(
         alpha: f64,
         density: impl Fn(Vec3<f64>) -> f64,

@@ -1,24 +1,25 @@
 //! Roughness along two axes, as the parameters describe it.
 
-use super::{ALPHA, ANISOTROPY, ROTATION};
+use super::params::{ALPHA, ANISOTROPY, ROTATION};
 use crate::num::{Lane, Real};
 
-/// Roughness along two axes, and where they lie.
+/// The roughness along two axes, and the rotation of these axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Roughness<T> {
-    /// Geometric mean of the two.
+    /// The geometric mean of both.
     pub alpha: T,
     anisotropy: T,
-    /// Along the long axis and across it.
+    /// The roughness along the rougher axis and across it.
     pub axes: [T; 2],
-    /// Cosine and sine of the angle from +X to the long axis.
+    /// Cosine and sine of the angle from +X to the rougher axis.
     pub turn: [T; 2],
-    /// Whether both axes are the same for all calls; then it does not matter where they lie.
+    /// Whether the roughness is the same along both axes in all calls, so that their rotation has no
+    /// effect.
     pub is_round: bool,
 }
 
 impl<T: Lane<Scalar = T>> Roughness<T> {
-    /// The same everywhere.
+    /// The same roughness in every lane.
     #[inline(always)]
     pub fn splat<L: Lane<Scalar = T>>(&self) -> Roughness<L> {
         Roughness {
@@ -42,7 +43,7 @@ impl<T: Real> Roughness<T> {
         }
     }
 
-    /// The same where it is known to be round.
+    /// The same roughness, with both axes known to be equal.
     #[inline(always)]
     pub fn round(self) -> Self {
         Self {
@@ -52,7 +53,7 @@ impl<T: Real> Roughness<T> {
         }
     }
 
-    /// Round, with that alpha along both axes.
+    /// The roughness with that alpha along both axes.
     pub fn with_alpha(self, alpha: T) -> Self {
         Self {
             alpha,
@@ -61,7 +62,7 @@ impl<T: Real> Roughness<T> {
         }
     }
 
-    /// Replaces the value of a parameter that varies per call; those of other kinds have no effect.
+    /// Replaces the value of a parameter that varies per call. Other parameters have no effect.
     #[inline(always)]
     pub fn vary(&mut self, param: usize, value: T) {
         match param {
@@ -78,8 +79,8 @@ impl<T: Real> Roughness<T> {
     }
 }
 
-/// alpha over and times sqrt(1 - 0.9 anisotropy): Burley 2012, "Physically-Based Shading at Disney",
-/// addendum.
+/// alpha / a and alpha a with a = sqrt(1 - 0.9 anisotropy): Burley 2012, "Physically-Based Shading at
+/// Disney", addendum.
 #[inline(always)]
 fn axes<T: Real>(alpha: T, anisotropy: T) -> [T; 2] {
     let aspect = (T::new(1.0) - T::new(0.9) * anisotropy).sqrt();

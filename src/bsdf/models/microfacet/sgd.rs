@@ -5,29 +5,30 @@
 use super::slopes::{height, ln_cos_squared, matched_width, sin_squared, slope_density};
 use crate::num::{Lane, Vec3};
 
-/// In the paper's notation, with its width called a here and its power p,
+/// With the paper's width written as a and its power as p,
 ///
 /// ```text
 /// D(h) = K_ap e^(-x) x^(-p) / (pi cos^4),   x = a + tan^2 / a,   K_ap = 1 / (a Gamma(1 - p, a))
 /// ```
 ///
-/// Gamma(s, x) being the upper incomplete gamma function. K_ap makes the projected area 1.
+/// where Gamma(s, x) is the upper incomplete gamma function. K_ap makes the projected area 1.
 ///
-/// a follows from alpha: the height at the normal is 1 / (pi alpha^2), as for GGX and Beckmann's
-/// distribution. So
+/// a follows from alpha, because the height at the normal is 1 / (pi alpha^2), as for GGX and Beckmann's
+/// distribution:
 ///
 /// ```text
 /// alpha^2 = a^(1 + p) e^a Gamma(1 - p, a)
 /// ```
 ///
-/// which is solved for a at creation, and which tells the alpha of parameters published by the paper's
-/// authors. p = 0 is Beckmann's distribution (a = alpha^2), p = 2 has GGX's tip (a near alpha) and tail
-/// up to a slope of sqrt(a).
+/// This equation is solved for a at creation; it also gives the alpha of parameters that the paper's
+/// authors have published. p = 0 is Beckmann's distribution (a = alpha^2). p = 2 equals GGX near the normal
+/// (a near alpha) and in the tail up to a slope of sqrt(a).
 ///
 /// alpha is in [1e-4, 1], p in [0, 4]. The authors' fits to 100 measured materials have p from 0 to 1.8,
 /// half of them between 0.2 and 0.7 about a median of 0.44.
 ///
-/// The area beyond an angle is Gamma(1 - p, x) / Gamma(1 - p, a): normals are drawn by its table.
+/// The area beyond an angle is Gamma(1 - p, x) / Gamma(1 - p, a), and normals are sampled by a table of its
+/// inverse.
 #[derive(Clone, Copy)]
 pub(crate) struct ShiftedGamma<T> {
     at_normal: T,
@@ -36,7 +37,7 @@ pub(crate) struct ShiftedGamma<T> {
     p: T,
 }
 
-/// a: at least alpha^2, which it is for p = 0, and 2.4 for alpha = 1 and p = 4.
+/// a for alpha and p. It is at least alpha^2, its value for p = 0, and 2.4 for alpha = 1 and p = 4.
 fn width(alpha: f64, p: f64) -> f64 {
     let bounds = [2.0 * alpha.ln() - 0.5, 1.5];
     let ln_a = matched_width(alpha, bounds, |ln_a, tan_squared| {
@@ -46,11 +47,11 @@ fn width(alpha: f64, p: f64) -> f64 {
     ln_a.exp()
 }
 
-/// The least cos^2 whose tangent is taken: below it the exponential is 0 for every a.
+/// The least cos^2 whose tangent is computed. Below it the exponential is 0 for every a.
 const LEAST_COS_SQUARED: f64 = 1e-10;
 
 impl<T: Lane<Scalar = T>> ShiftedGamma<T> {
-    /// Of alpha and the power p.
+    /// The distribution for alpha and the power p.
     pub(crate) fn new(alpha: f64, p: f64) -> Self {
         Self::of_numbers(height(alpha), width(alpha, p), p)
     }

@@ -1,4 +1,4 @@
-//! Distributions that are isotropic and have no closed form of masking: tables made at creation, for one
+//! Isotropic distributions without a closed form of Smith's masking, with tables made at creation for one
 //! alpha.
 
 use super::abc::Abc;
@@ -10,7 +10,7 @@ use super::quantile::Quantile;
 use super::sgd::ShiftedGamma;
 use crate::num::{Lane, Vec3};
 
-/// The function D(h).
+/// The density D(h) of one of these distributions.
 #[derive(Clone, Copy)]
 pub(crate) enum Profile<T> {
     BlinnPhong(BlinnPhong<T>),
@@ -22,7 +22,7 @@ pub(crate) enum Profile<T> {
 pub(crate) struct Tabulated<T> {
     profile: Profile<T>,
     projected: Projected<T>,
-    /// `None` for the one that samples in closed form.
+    /// `None` for Blinn's distribution, which is sampled in closed form.
     quantile: Option<Quantile<T>>,
 }
 
@@ -37,7 +37,7 @@ impl<T: Lane<Scalar = T>> Tabulated<T> {
         }
     }
 
-    /// The ABC distribution with its exponent C.
+    /// The ABC distribution with the exponent C.
     pub(crate) fn abc(alpha: f64, exponent: f64) -> Self {
         let exact = Abc::<f64>::new(alpha, exponent);
         Self {
@@ -47,7 +47,7 @@ impl<T: Lane<Scalar = T>> Tabulated<T> {
         }
     }
 
-    /// The shifted gamma distribution with its power p.
+    /// The shifted gamma distribution with the power p.
     pub(crate) fn shifted_gamma(alpha: f64, p: f64) -> Self {
         let exact = ShiftedGamma::<f64>::new(alpha, p);
         Self {
@@ -86,12 +86,12 @@ impl<T: Lane<Scalar = T>, L: Lane<Scalar = T>> Ndf<L> for &Tabulated<T> {
         match (&self.profile, &self.quantile) {
             (Profile::BlinnPhong(profile), _) => profile.sample(u),
             (_, Some(quantile)) => quantile.sample(u),
-            // No other pair is made.
+            // No other pair exists.
             _ => Vec3::zero(),
         }
     }
 
-    /// That of samples, D(h) h.z, over 4 <wo, h>, whose inverse is held at [`GREATEST`].
+    /// The density of sampled normals, D(h) h.z, over 4 <wo, h>, whose inverse is clamped to [`GREATEST`].
     #[inline(always)]
     fn reflected_density(&self, pair: &HalfVector<L>, d: L) -> L {
         let jacobian = (L::new(0.25) / pair.cos_half).min(L::new(GREATEST));

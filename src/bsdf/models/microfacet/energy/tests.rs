@@ -1,4 +1,4 @@
-//! The table against quadrature over normals, and closed values.
+//! The table against quadrature over normals, and against closed forms.
 
 use super::super::ggx::Ggx;
 use super::super::masking::Masking;
@@ -9,14 +9,15 @@ fn ggx<T: Precision>(alpha: T, wo: Vec3<T>, u: [T; 2]) -> Reflected<T> {
     Reflected::by_ndf(&Ggx::isotropic(alpha), Masking::Smith, [alpha; 2], wo, u)
 }
 
-/// The same from the definitions, and by normals drawn from D h.z, not by visible ones: the mean of
-/// G2 <wo, h> / (wo.z h.z) over tan^2 = alpha^2 u / (1 - u) (Walter et al. 2007, eq. 35) and azimuth.
+/// The two albedos by their definitions, with normals sampled by D h.z instead of visible normals: the mean
+/// of G2 <wo, h> / (wo.z h.z) over tan^2 = alpha^2 u / (1 - u) (Walter et al. 2007, eq. 35) and the
+/// azimuth.
 fn by_quadrature(alpha: f64, cosine: f64, nodes: u32) -> [f64; 2] {
     let sine = (1.0 - cosine * cosine).sqrt();
     let lambda = |z: f64| ((1.0 + alpha * alpha * (1.0 / (z * z) - 1.0)).sqrt() - 1.0) / 2.0;
     let mut sums = [0.0; 2];
     for i in 0..nodes {
-        // Denser at both ends: u = t^2 (3 - 2 t).
+        // Nodes are denser at both ends: u = t^2 (3 - 2 t).
         let t = (f64::from(i) + 0.5) / f64::from(nodes);
         let u = t * t * (3.0 - 2.0 * t);
         let weight = 6.0 * t * (1.0 - t) / f64::from(nodes).powi(2);
@@ -41,7 +42,7 @@ const ALPHAS_TRIED: [f64; 12] = [
     1e-4, 3e-4, 2e-3, 0.0114, 0.03, 0.09, 0.2, 0.37, 0.55, 0.72, 0.9, 1.0,
 ];
 
-/// Between the nodes of either axis.
+/// Cosines between the nodes of the table.
 fn cosines_tried(alpha: f64) -> Vec<f64> {
     let bend = BEND * alpha;
     let by_table = (0..2 * COSINES - 2).step_by(3).map(|i| {
@@ -92,8 +93,8 @@ fn the_albedo_has_its_closed_value() {
     assert!((found - expected).abs() < 1e-4, "{found} {expected}");
 }
 
-/// A mirror returns everything, by Schlick's term the less the steeper; 1/21 is the mean of
-/// (1 - cos)^5 (GH02 eq. 12).
+/// A mirror has the albedo 1 with F = 1, and (1 - mu)^5 with Schlick's term, whose mean is 1/21 (GH02 eq.
+/// 12).
 #[test]
 fn the_smoothest_lobe_is_a_mirror() {
     let energy = Energy::<f32>::over_alpha(ggx);
@@ -112,8 +113,8 @@ fn the_smoothest_lobe_is_a_mirror() {
     assert!((row.mean.grazing - 1.0 / 21.0).abs() < 2e-4);
 }
 
-/// The mean of the table is that of quadrature, and of the table's own albedo to a tenth of that: what
-/// a coupled diffuse part needs to be normalised.
+/// The mean of the table agrees with quadrature and, ten times as exactly, with the mean of the table's own
+/// albedo, which the normalisation of a coupled diffuse part needs.
 #[test]
 fn the_mean_is_that_of_the_albedo() {
     const COUNT: u32 = 60;
@@ -140,7 +141,7 @@ fn the_mean_is_that_of_the_albedo() {
     }
 }
 
-/// Every result is in range, whatever alpha and cosine, also where the spline overshoots.
+/// Every result is in range for all alphas and cosines, even where the spline overshoots.
 #[test]
 fn results_are_in_range() {
     let energy = Energy::<f32>::over_alpha(ggx);
@@ -164,7 +165,8 @@ fn results_are_in_range() {
     }
 }
 
-/// Making a table takes few milliseconds: counted, as the clock of a busy machine proves nothing.
+/// Making a table takes a few milliseconds. Samples are counted instead, because time on a busy machine
+/// proves nothing.
 #[test]
 fn a_table_takes_its_stated_number_of_samples() {
     let count = std::cell::Cell::new(0);

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# A parent project adds pellicle with add_subdirectory(): everything is built in the parent's build folder, and
+# pellicle is installed only if PELLICLE_INSTALL is set.
+# Usage: as_subproject.sh <cmake> <source> <cargo target directory> <work>
+set -euo pipefail
+cmake=$1 source=$2 target=$3 work=$4
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+rm -rf "$work"
+mkdir -p "$work/parent"
+cp "$here/use.c" "$work/parent"
+cat >"$work/parent/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.25)
+project(parent LANGUAGES C)
+add_subdirectory($source pellicle)
+add_executable(use use.c)
+target_link_libraries(use PRIVATE pellicle::shared m)
+install(TARGETS use)
+END
+configure() {
+    env --unset=CARGO_TARGET_DIR "$cmake" -S "$work/parent" -B "$work/build" -G Ninja "$@"
+}
+cached() {
+    sed -n "s/^$1:[A-Z]*=//p" "$work/build/CMakeCache.txt"
+}
+
+configure
+[[ "$(cached PELLICLE_CARGO_TARGET_DIR)" == "$work/build/"* ]] ||
+    { echo "cargo builds outside the parent's build folder" >&2; exit 1; }
+[[ "$(cached PELLICLE_INSTALL)" == OFF ]] || { echo "a subproject installs unasked" >&2; exit 1; }
+
+# What is built already is used here: only where it lies by default was the question.
+configure -DPELLICLE_CARGO_TARGET_DIR="$target"
+"$cmake" --build "$work/build"
+"$work/build/use"
+"$cmake" --install "$work/build" --prefix "$work/without"
+[[ -x "$work/without/bin/use" ]] || { echo "the parent's program is not installed" >&2; exit 1; }
+[[ ! -e "$work/without/include" && ! -e "$work/without/lib" ]] || { echo "pellicle is installed unasked" >&2; exit 1; }
+
+configure -DPELLICLE_INSTALL=ON
+"$cmake" --install "$work/build" --prefix "$work/with"
+[[ -f "$work/with/include/pellicle.h" ]] || { echo "pellicle is not installed though asked" >&2; exit 1; }
