@@ -37,7 +37,7 @@ fn main() -> ExitCode {
                 seed: arguments.seed,
                 evaluations: arguments.evaluations.unwrap_or(1_000_000_000),
                 elements: 1024,
-                batches: 512,
+                batches: 64,
             });
             random_bounds::report::print(&tally);
             tally.failures

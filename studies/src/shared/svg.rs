@@ -134,8 +134,11 @@ impl Panel<'_> {
             .label_style(style(FONT, INK, HPos::Center, VPos::Center))
             .x_labels(x_labels)
             .x_label_formatter(&|value| x_label(value))
-            .y_labels(if self.has_error_labels { 8 } else { 0 })
-            .y_label_formatter(&|error| written(*error))
+            .y_labels(8)
+            .y_label_formatter(&|error| match self.has_error_labels {
+                true => written(*error),
+                false => String::new(),
+            })
             .draw()?;
         area.draw(&Rectangle::new(
             [(left, top), (left + width, top + height)],
