@@ -51,7 +51,7 @@ const std::vector<Rgb> &observer() {
     return rgb;
 }
 
-// By the trapezoidal rule with so many steps to a nanometre.
+// By the trapezoidal rule; `steps` is the number of its steps per nanometre.
 Rgb integral(const std::function<double(double)> &spectrum, int steps) {
     const std::vector<Rgb> &weights = observer();
     Rgb sum{}, white{};

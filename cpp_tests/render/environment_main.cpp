@@ -70,7 +70,7 @@ private:
         const Truth expected =
             truth(environment, roughness, truthPairs, truthRepetitions, pixels_, arguments_.threads);
         std::vector<Entry> entries;
-        // Pairs: so many samples of the BSDF, and of the light.
+        // A pair is one sample of the BSDF and one of the light.
         for (const int pairs : {64, 4, 16, 256})
             entries.push_back({"importance", pairs, importanceWay(environment, roughness, pairs, seed)});
         for (const int samples : {4, 16, 64})

@@ -63,33 +63,35 @@ public:
     /// Weight 0: the path ends.
     Sample sample(float lobe, const V2f &u) const {
         const float uniforms[3] = {lobe, u.x, u.y};
-        const PellicleSample s = material_.bsdf().sample(&wo_.x, uniforms, varying_.data());
-        const V3f wi(s.wi[0], s.wi[1], s.wi[2]);
-        const V3f toLight = point_.shading.toWorld(wi);
-        Rgb weight(s.weight[0], s.weight[1], s.weight[2]);
-        if (leaks(toLight, wi)) weight = Rgb(0);
-        return {toLight, weight, s.pdf, (s.flags & PELLICLE_DELTA) != 0};
+        return outward(material_.bsdf().sample(&wo_.x, uniforms, varying_.data()));
     }
 
-    /// All that a transparent mirror does with the light: its reflection and its refraction, or the total
-    /// reflection. The share of the numbers that choose the first lobe is its probability, found by bisection.
+    /// All that a transparent mirror does with the light: its reflection and its refraction, each times its
+    /// probability, or the total reflection.
     std::vector<Sample> split() const {
-        const auto lobeAt = [&](float u) { return material_.bsdf().sample(&wo_.x, V3f(u, 0, 0).getValue(), varying_.data()).lobe; };
         constexpr float last = 0x1.fffffep-1f;
-        const auto first = lobeAt(0);
-        if (lobeAt(last) == first) return {sample(0, V2f(0))};
-        float low = 0, high = 1;
-        for (int step = 0; step < 22; ++step) {
-            const float middle = (low + high) / 2;
-            (lobeAt(middle) == first ? low : high) = middle;
+        std::vector<Sample> ways;
+        float chosen = 0;
+        for (const float u : {0.0f, last}) {
+            if (chosen == 1) break;
+            const float uniforms[3] = {u, 0, 0};
+            const PellicleSample s = material_.bsdf().sample(&wo_.x, uniforms, varying_.data());
+            ways.push_back(outward(s));
+            ways.back().weight *= s.lobe_probability;
+            chosen += s.lobe_probability;
         }
-        std::vector<Sample> both{sample(0, V2f(0)), sample(last, V2f(0))};
-        both[0].weight *= low;
-        both[1].weight *= 1 - low;
-        return both;
+        return ways;
     }
 
 private:
+    /// The sample in the world's frame; without weight if the true normal refuses it.
+    Sample outward(const PellicleSample &s) const {
+        const V3f wi(s.wi[0], s.wi[1], s.wi[2]);
+        const V3f toLight = point_.shading.toWorld(wi);
+        const Rgb weight = leaks(toLight, wi) ? Rgb(0) : Rgb(s.weight[0], s.weight[1], s.weight[2]);
+        return {toLight, weight, s.pdf, (s.flags & PELLICLE_DELTA) != 0};
+    }
+
     /// The interpolated normal and the true one disagree on which side the light is.
     bool leaks(const V3f &toLight, const V3f &wi) const {
         return dot(toLight, point_.geometricNormal) * wi.z <= 0;

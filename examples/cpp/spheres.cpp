@@ -24,7 +24,7 @@ using Imath::V3f;
 constexpr int size = 640, samplesPerPixel = 64, longestPath = 8, perSide = 5;
 constexpr float spacing = 2.3f, eyeDistance = 26, halfView = 6.1f;
 
-// Uniform in [0, 1): 24 bits, as many as a float has.
+// Uniform in [0, 1), with the 24 bits of precision that a float has.
 float uniform(std::mt19937 &random) { return static_cast<float>(random() >> 8) * 0x1p-24f; }
 
 // A rectangle of light, infinitely far away; width and height are tangents of half its angles.

@@ -15,6 +15,12 @@ impl<T: Copy> TableEntry<T> {
     pub fn new([r, g, b]: [T; 3]) -> Self {
         Self([r, g, b, b])
     }
+
+    /// The entry with another type of number.
+    pub fn cast<U: Copy>(&self, to: impl Fn(T) -> U) -> TableEntry<U> {
+        let [r, g, b, _] = self.0;
+        TableEntry::new([to(r), to(g), to(b)])
+    }
 }
 
 /// A block of 3 x 3 entries of a table, and the weights of its rows and columns.

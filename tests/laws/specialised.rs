@@ -61,7 +61,8 @@ fn specialised() -> Vec<(Description, &'static str)> {
         (microfacet("schlick"), "isotropic"),
         (
             microfacet("dielectric").set("eta", &[1.5]),
-            "isotropic, one index for all channels",
+            "isotropic, one index for all channels, what enters the facets is absorbed, as this model \
+             only reflects",
         ),
         (gold(), of_gold),
         (gold().set("anisotropy", &[0.5]), "conductor by polynomials"),

@@ -304,9 +304,13 @@ fn varying_everything_equals_everything_fixed() {
                             "{diffuse} {specular} {flat:?} {wo} {wi}: {found:?} {expected:?}"
                         );
                     }
+                    // The share of the diffuse lobe, whose density is wi.z / pi, moves by at most the
+                    // difference of two tables, each within 1e-3. With F0 near 1 that share is small, so
+                    // that no relative bound holds for it.
+                    let moved = 2e-3 * wi.z * std::f32::consts::FRAC_1_PI;
                     let error = (pdf - expected_pdf).abs();
                     assert!(
-                        error <= 5e-3 * expected_pdf,
+                        error <= 5e-3 * expected_pdf + moved,
                         "{flat:?}: {pdf} {expected_pdf}"
                     );
                 }

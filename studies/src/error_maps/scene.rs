@@ -119,14 +119,14 @@ impl Scene {
         }
     }
 
-    /// Where the points lie along an axis, of so many cells.
+    /// The positions of the points along an axis that is divided into `cells` cells.
     pub fn places(axis: Axis, cells: usize) -> Vec<f64> {
         let count = cells * POINTS_PER_SIDE;
         let at = |i: usize| axis.at((i as f64 + 0.5) / count as f64);
         (0..count).map(at).collect()
     }
 
-    /// Asks the reference at every point of a map of so many cells on either side.
+    /// Asks the reference at every point of a map with `cells` cells along each axis.
     pub fn truth(&self, cells: usize) -> Result<Truth, Error> {
         let xs = Self::places(self.x, cells);
         let ys = Self::places(self.y, cells);

@@ -61,12 +61,14 @@ impl<T: Precision> CompiledMaterial<T> {
             let ndf = Ggx::isotropic(alpha);
             Reflected::by_ndf(&ndf, Masking::Smith, [alpha; 2], wo, u)
         };
-        let alpha = alpha_of(values.number(ROUGHNESS));
+        let alpha: T = alpha_of(values.number(ROUGHNESS));
         let energy = if values.varies(ROUGHNESS) {
             Energy::over_alpha(lobe)
         } else {
+            let alpha = alpha.into();
             Energy::of_alpha(alpha, |wo, u| lobe(alpha, wo, u))
         };
+        let energy = energy.rounded::<T>();
         let is_by_index = values.choice(DIELECTRIC_FROM) == FROM_ETA;
         let settings = Settings {
             base_color: T::rgb(values.rgb(BASE_COLOR)),

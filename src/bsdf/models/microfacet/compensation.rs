@@ -16,7 +16,7 @@
 //! This is from Hill 2018, "A Multi-Faceted Exploration (Part 2)". It has one power of Favg more than the
 //! course notes, in which light that is reflected twice has the colour of one reflection.
 
-use super::energy::{Energy, Row};
+use super::energy::{Albedo, Energy, Row};
 use super::fresnel::{CompiledFresnel, Fresnel};
 use crate::bsdf::precision::Precision;
 use crate::error::Error;
@@ -51,8 +51,11 @@ impl<T: Precision> Compensation<T> {
     ) -> MultipleScattering<'_, L> {
         let one = L::new(1.0);
         let row = self.energy.row(alpha);
-        let escaping = row.mean.whole;
-        let lost = one - escaping;
+        let Albedo {
+            whole: escaping,
+            lost,
+            ..
+        } = row.mean;
         let divisor = lost.max(L::new(LEAST_LOSS));
         let color = each!(self.average.of(fresnel), |mean| {
             let sum = mean.squared() * escaping / (one - mean * lost);
@@ -76,7 +79,7 @@ impl<T: Precision, L: Lane<Scalar = T>> MultipleScattering<'_, L> {
     /// 1 - E
     #[inline(always)]
     fn lost(&self, w: Vec3<L>) -> L {
-        L::new(1.0) - self.albedo(w.z)
+        self.energy.albedo(&self.row, w.z).lost
     }
 
     /// f(wo, wi) |wi.z|
@@ -89,8 +92,7 @@ impl<T: Precision, L: Lane<Scalar = T>> MultipleScattering<'_, L> {
     /// The mean of its albedo over the channels for that viewer, apart from the bound of the divisor.
     #[inline(always)]
     pub fn share(&self, wo: Vec3<L>) -> L {
-        let escaping = self.row.mean.whole;
-        let lost = self.lost(wo) * (L::new(1.0) - escaping);
+        let lost = self.lost(wo) * self.row.mean.lost;
         crate::bsdf::models::power_lobe::mean(self.color) * lost
     }
 }

@@ -4,7 +4,6 @@ use super::energy::{Energy, Reflected};
 use super::masking::Masking;
 use super::roughness::Roughness;
 use super::tabulated::Tabulated;
-use crate::bsdf::precision::Precision;
 use crate::num::Vec3;
 
 /// A distribution, with its tables if it has any.
@@ -63,17 +62,12 @@ macro_rules! with_ndf {
 }
 pub(super) use with_ndf;
 
-impl<T: Precision> Distribution<T> {
-    /// The table of the albedo with F = 1, for one alpha or, if alpha varies, for all of them. Surfaces
+impl Distribution<f64> {
+    /// The table of the albedo with F = 1, for one alpha or, if there is none, for all of them. Surfaces
     /// must be isotropic.
-    pub fn energy(
-        &self,
-        roughness: &Roughness<T>,
-        masking: Masking,
-        is_varying: bool,
-    ) -> Energy<T> {
-        let lobe = |alpha: T, wo: Vec3<T>, [azimuth, other]: [T; 2]| {
-            let roughness = roughness.with_alpha(alpha);
+    pub fn energy(&self, masking: Masking, alpha: Option<f64>) -> Energy<f64> {
+        let lobe = |alpha: f64, wo: Vec3<f64>, [azimuth, other]: [f64; 2]| {
+            let roughness = Roughness::isotropic(alpha);
             // For all distributions but GGX the second number is the azimuth, or does not lead to the
             // horizon.
             let u = match self {
@@ -84,10 +78,9 @@ impl<T: Precision> Distribution<T> {
                 &ndf, masking, [alpha; 2], wo, u
             ))
         };
-        if is_varying {
-            Energy::over_alpha(lobe)
-        } else {
-            Energy::of_alpha(roughness.alpha, |wo, u| lobe(roughness.alpha, wo, u))
+        match alpha {
+            None => Energy::over_alpha(lobe),
+            Some(alpha) => Energy::of_alpha(alpha, |wo, u| lobe(alpha, wo, u)),
         }
     }
 }

@@ -15,7 +15,9 @@
 //! are at equal steps of the cube root of alpha. The cosines are at equal steps of sqrt((1 + c) mu / (mu +
 //! c)) with c = 4 alpha, because E has its greatest curvature at cosines of about alpha, and for large
 //! alpha behaves like mu log(mu) at the horizon. For `grazing` the table has the difference from E (1 -
-//! mu)^5, its limit for alpha = 0, which is as smooth in these coordinates as E.
+//! mu)^5, its limit for alpha = 0, which is as smooth in these coordinates as E. For `whole` it has 1 - E,
+//! computed in double precision, because that is what compensation adds, and of 1 - E = 1e-6 single
+//! precision would keep one digit.
 //!
 //! **Error** against quadrature: at most 1e-3 for GGX with height-correlated masking, alpha in [1e-4, 1]
 //! and every cosine (`tests` below). Results are clamped to 0 <= grazing <= whole <= 1, because the spline
@@ -54,6 +56,8 @@ const MEAN_NODES: u32 = 256;
 pub(crate) struct Albedo<T> {
     /// The albedo with F = 1.
     pub whole: T,
+    /// 1 - `whole`, with all of its digits.
+    pub lost: T,
     /// The albedo with F = (1 - <wo, h>)^5, the factor of F90.
     pub grazing: T,
 }
@@ -104,7 +108,7 @@ impl<T: Lane> Reflected<T> {
 /// The table of one lobe.
 #[derive(Clone, Debug)]
 pub(crate) struct Energy<T> {
-    /// Control points: `whole`, the difference for `grazing`, and fillers. A row has the points of one
+    /// Control points: `lost`, the difference for `grazing`, and fillers. A row has the points of one
     /// alpha; there is one row, or [`ALPHAS`] + 2.
     points: Box<[TableEntry<T>]>,
     /// Control points of the means over the hemisphere, one per row; with one row three equal ones.
@@ -113,40 +117,70 @@ pub(crate) struct Energy<T> {
     is_fixed: bool,
 }
 
-impl<T: Precision> Energy<T> {
+impl Energy<f64> {
     /// The table for all alphas in [1e-4, 1]. `lobe` samples the lobe of an alpha for a viewer in the plane
     /// y = 0; u\[0\] must be the azimuth of its sample.
-    pub fn over_alpha(lobe: impl Fn(T, Vec3<T>, [T; 2]) -> Reflected<T>) -> Self {
+    pub fn over_alpha(lobe: impl Fn(f64, Vec3<f64>, [f64; 2]) -> Reflected<f64>) -> Self {
         let lattice = lattice();
         let alphas: [f64; ALPHAS] = std::array::from_fn(|row| {
             let part = row as f64 / (ALPHAS - 1) as f64;
             let root = LEAST_ALPHA.cbrt() * (1.0 - part) + part;
             root.powi(3)
         });
-        let rows = alphas.map(|alpha| row_of(T::new(alpha), &lattice, &lobe));
+        let rows = alphas.map(|alpha| row_of(alpha, &lattice, &lobe));
         let mut energy = Self {
             points: along_alpha(&rows),
-            means: vec![TableEntry::new([T::new(0.0); 3]); ALPHAS + 2].into(),
+            means: vec![TableEntry::new([0.0; 3]); ALPHAS + 2].into(),
             is_fixed: false,
         };
-        let means = alphas.map(|alpha| vec![energy.mean(T::new(alpha))]);
+        let means = alphas.map(|alpha| vec![energy.mean(alpha)]);
         energy.means = along_alpha(&means);
         energy
     }
 
     /// The table for one alpha.
-    pub fn of_alpha(alpha: T, lobe: impl Fn(Vec3<T>, [T; 2]) -> Reflected<T>) -> Self {
+    pub fn of_alpha(alpha: f64, lobe: impl Fn(Vec3<f64>, [f64; 2]) -> Reflected<f64>) -> Self {
         let row = row_of(alpha, &lattice(), &|_, wo, u| lobe(wo, u));
         let mut energy = Self {
-            points: row.into_iter().map(packed).collect(),
-            means: [TableEntry::new([T::new(0.0); 3]); 3].into(),
+            points: row.into_iter().map(TableEntry::new).collect(),
+            means: [TableEntry::new([0.0; 3]); 3].into(),
             is_fixed: true,
         };
-        let mean = packed(energy.mean(alpha));
+        let mean = TableEntry::new(energy.mean(alpha));
         energy.means = [mean; 3].into();
         energy
     }
 
+    /// The table in another precision.
+    pub fn rounded<T: Precision>(&self) -> Energy<T> {
+        let round = |entries: &[TableEntry<f64>]| {
+            let rounded = entries.iter().map(|entry| entry.cast(T::new));
+            rounded.collect()
+        };
+        Energy {
+            points: round(&self.points),
+            means: round(&self.means),
+            is_fixed: self.is_fixed,
+        }
+    }
+
+    /// The mean of the albedo over the hemisphere, which is the integral of 2 mu E(mu) over mu in [0, 1],
+    /// by the midpoint rule in sqrt(mu), in which E is smooth at the horizon.
+    fn mean(&self, alpha: f64) -> Rgb<f64> {
+        let row = self.row(alpha);
+        let mut sum = [0.0; 3];
+        for i in 0..MEAN_NODES {
+            let root = (f64::from(i) + 0.5) / f64::from(MEAN_NODES);
+            let weight = 4.0 * root.powi(3) / f64::from(MEAN_NODES);
+            let albedo = self.albedo(&row, root * root);
+            sum[0] += weight * albedo.lost;
+            sum[1] += weight * albedo.grazing;
+        }
+        sum
+    }
+}
+
+impl<T: Precision> Energy<T> {
     /// The row of the table at an alpha in [1e-4, 1]. For a table of one alpha it must be that alpha.
     #[inline(always)]
     pub fn row<L: Lane<Scalar = T>>(&self, alpha: L) -> Row<L> {
@@ -159,12 +193,16 @@ impl<T: Precision> Energy<T> {
             let (nearest, distance) = nearest((root - least) * step, ALPHAS);
             (nearest, weights(distance))
         };
-        let [whole, grazing, _] = L::channels(L::weighted_row(&self.means, first, along));
+        let [lost, grazing, _] = L::channels(L::weighted_row(&self.means, first, along));
         Row {
             first,
             along,
             bend: alpha * L::new(BEND),
-            mean: Albedo { whole, grazing },
+            mean: Albedo {
+                whole: L::new(1.0) - lost,
+                lost,
+                grazing,
+            },
         }
     }
 
@@ -185,26 +223,16 @@ impl<T: Precision> Energy<T> {
             };
             L::weighted_block(&self.points, STRIDE, block)
         };
-        let [whole, difference, _] = L::channels(sum);
-        let whole = whole.max(zero).min(one);
+        let [lost, difference, _] = L::channels(sum);
+        let lost = lost.max(zero).min(one);
+        let whole = one - lost;
         let smooth = whole * (one - cos_theta).pow5();
         let grazing = (smooth + difference).max(zero).min(whole);
-        Albedo { whole, grazing }
-    }
-
-    /// The mean of the albedo over the hemisphere, which is the integral of 2 mu E(mu) over mu in [0, 1],
-    /// by the midpoint rule in sqrt(mu), in which E is smooth at the horizon.
-    fn mean(&self, alpha: T) -> Rgb<f64> {
-        let row = self.row(alpha);
-        let mut sum = [0.0; 3];
-        for i in 0..MEAN_NODES {
-            let root = (f64::from(i) + 0.5) / f64::from(MEAN_NODES);
-            let weight = 4.0 * root.powi(3) / f64::from(MEAN_NODES);
-            let albedo = self.albedo(&row, T::new(root * root));
-            sum[0] += weight * f64::from(albedo.whole.to_f32());
-            sum[1] += weight * f64::from(albedo.grazing.to_f32());
+        Albedo {
+            whole,
+            lost,
+            grazing,
         }
-        sum
     }
 }
 
@@ -230,6 +258,7 @@ impl<T: Lane<Scalar = T>> Row<T> {
             bend: L::splat(self.bend),
             mean: Albedo {
                 whole: L::splat(self.mean.whole),
+                lost: L::splat(self.mean.lost),
                 grazing: L::splat(self.mean.grazing),
             },
         }
@@ -245,48 +274,42 @@ fn nearest<T: Real>(position: T, count: usize) -> (T, T) {
     (index + T::new(INDEX_BIAS), position - index)
 }
 
-fn packed<T: Real>([whole, difference, _]: Rgb<f64>) -> TableEntry<T> {
-    TableEntry::new([whole, difference, difference].map(T::new))
-}
-
 /// The nodes of the mean over the two random numbers of a lobe, with their weights. The first number is the
 /// azimuth. The second is 1 - (1 - t)^2 of a lattice coordinate t, because lobes end at the horizon, where
 /// that number is 1.
-fn lattice<T: Real>() -> Vec<([T; 2], T)> {
+fn lattice() -> Vec<([f64; 2], f64)> {
     let nodes = (0..NODES).map(|i| {
         let t = (f64::from(i) + 0.5) / f64::from(NODES);
         let azimuth = (f64::from(i * GENERATOR % NODES) + 0.25) / f64::from(NODES);
         let weight = 2.0 * (1.0 - t) / f64::from(NODES);
         let u = [azimuth, 1.0 - (1.0 - t).powi(2)];
-        (u.map(T::new), T::new(weight))
+        (u, weight)
     });
     nodes.collect()
 }
 
 /// The control points for one alpha.
-fn row_of<T: Precision>(
-    alpha: T,
-    lattice: &[([T; 2], T)],
-    lobe: &impl Fn(T, Vec3<T>, [T; 2]) -> Reflected<T>,
+fn row_of(
+    alpha: f64,
+    lattice: &[([f64; 2], f64)],
+    lobe: &impl Fn(f64, Vec3<f64>, [f64; 2]) -> Reflected<f64>,
 ) -> Vec<Rgb<f64>> {
-    let bend = f64::from(alpha.to_f32()) * BEND;
+    let bend = alpha * BEND;
     let values: Vec<Rgb<f64>> = (0..COSINES)
         .map(|i| {
             // At the horizon itself E is a limit, so the first node is close to it.
             let x = (i as f64 / (COSINES - 1) as f64).max(1e-3).powi(2);
             let cosine = (bend * x / (1.0 + bend - x)).min(1.0);
             let wo = Vec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
-            let wo = Vec3::new(T::new(wo.x), T::new(wo.y), T::new(wo.z));
-            let (mut whole, mut grazing) = (T::new(0.0), T::new(0.0));
+            let (mut whole, mut grazing) = (0.0, 0.0);
             for (u, weight) in lattice {
                 let reflected = lobe(alpha, wo, *u);
-                let part = reflected.weight * *weight;
-                whole = whole + part;
-                grazing = grazing + part * (T::new(1.0) - reflected.cos_half).pow5();
+                let part = reflected.weight * weight;
+                whole += part;
+                grazing += part * (1.0 - reflected.cos_half).powi(5);
             }
-            let [whole, grazing] = [whole, grazing].map(|sum| f64::from(sum.to_f32()));
             let difference = grazing - whole * (1.0 - cosine).powi(5);
-            [whole, difference, difference]
+            [1.0 - whole, difference, difference]
         })
         .collect();
     let mut points = Vec::new();
@@ -295,15 +318,15 @@ fn row_of<T: Precision>(
 }
 
 /// The control points along alpha, for every column of [`ALPHAS`] rows.
-fn along_alpha<T: Real>(rows: &[Vec<Rgb<f64>>; ALPHAS]) -> Box<[TableEntry<T>]> {
+fn along_alpha(rows: &[Vec<Rgb<f64>>; ALPHAS]) -> Box<[TableEntry<f64>]> {
     let width = rows[0].len();
-    let mut points = vec![TableEntry::new([T::new(0.0); 3]); (ALPHAS + 2) * width];
+    let mut points = vec![TableEntry::new([0.0; 3]); (ALPHAS + 2) * width];
     let mut fitted = Vec::new();
     for column in 0..width {
         let values: Vec<Rgb<f64>> = rows.iter().map(|row| row[column]).collect();
         controls(&values, &mut fitted);
         for (row, point) in fitted.iter().enumerate() {
-            points[row * width + column] = packed(*point);
+            points[row * width + column] = TableEntry::new(*point);
         }
     }
     points.into()

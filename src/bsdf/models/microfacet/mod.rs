@@ -227,16 +227,16 @@ impl Model for Microfacet {
             values.number(ROTATION),
             values.number(ANISOTROPY) == T::new(0.0) && !values.varies(ANISOTROPY),
         );
-        let distribution = distribution(values);
         let compensation = if values.choice(ENERGY_COMPENSATION) == OFF {
             None
         } else {
             let average = Average::new(&fresnel, values.varies(THICKNESS_NM))?;
-            let energy = distribution.energy(&roughness, masking, values.varies(ALPHA));
+            let alpha = (!values.varies(ALPHA)).then(|| double(values, ALPHA));
+            let energy = distribution(values).energy(masking, alpha).rounded();
             Some(Compensation { energy, average })
         };
         Ok(kernel(Rough {
-            distribution,
+            distribution: distribution(values),
             roughness,
             fresnel,
             masking,
@@ -249,8 +249,12 @@ fn is_mirror<T: Precision>(values: &Values<T>) -> bool {
     values.number(ALPHA) == T::new(0.0)
 }
 
-fn distribution<T: Precision>(values: &Values<T>) -> Distribution<T> {
-    let of = |param| f64::from(values.number(param).to_f32());
+fn double<T: Precision>(values: &Values<T>, param: usize) -> f64 {
+    values.number(param).into()
+}
+
+fn distribution<T: Precision, N: Precision>(values: &Values<T>) -> Distribution<N> {
+    let of = |param| double(values, param);
     match values.choice(DISTRIBUTION) {
         GGX => Distribution::Ggx,
         BECKMANN => Distribution::Beckmann,

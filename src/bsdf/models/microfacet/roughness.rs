@@ -11,8 +11,11 @@ pub(super) struct Roughness<T> {
     anisotropy: T,
     /// The roughness along the rougher axis and across it.
     pub axes: [T; 2],
-    /// Cosine and sine of the angle from +X to the rougher axis.
+    /// Cosine and sine of the angle from +X to the rougher axis; 1 and 0 if no axis is rougher, so that an
+    /// anisotropy of 0 is the same surface whether it varies or not.
     pub turn: [T; 2],
+    /// `turn` for an anisotropy other than 0.
+    given_turn: [T; 2],
     /// Whether the roughness is the same along both axes in all calls, so that their rotation has no
     /// effect.
     pub is_round: bool,
@@ -27,6 +30,7 @@ impl<T: Lane<Scalar = T>> Roughness<T> {
             anisotropy: L::splat(self.anisotropy),
             axes: [L::splat(self.axes[0]), L::splat(self.axes[1])],
             turn: [L::splat(self.turn[0]), L::splat(self.turn[1])],
+            given_turn: [L::splat(self.given_turn[0]), L::splat(self.given_turn[1])],
             is_round: self.is_round,
         }
     }
@@ -34,13 +38,21 @@ impl<T: Lane<Scalar = T>> Roughness<T> {
 
 impl<T: Real> Roughness<T> {
     pub fn new(alpha: T, anisotropy: T, rotation: T, is_round: bool) -> Self {
+        let given_turn = turn(rotation);
         Self {
             alpha,
             anisotropy,
             axes: axes(alpha, anisotropy),
-            turn: turn(rotation),
+            turn: effective_turn(anisotropy, given_turn),
+            given_turn,
             is_round,
         }
+    }
+
+    /// The same roughness along both axes.
+    pub fn isotropic(alpha: T) -> Self {
+        let zero = T::new(0.0);
+        Self::new(alpha, zero, zero, true)
     }
 
     /// The same roughness, with both axes known to be equal.
@@ -53,24 +65,16 @@ impl<T: Real> Roughness<T> {
         }
     }
 
-    /// The roughness with that alpha along both axes.
-    pub fn with_alpha(self, alpha: T) -> Self {
-        Self {
-            alpha,
-            axes: [alpha; 2],
-            ..self
-        }
-    }
-
     /// Replaces the value of a parameter that varies per call. Other parameters have no effect.
     #[inline(always)]
     pub fn vary(&mut self, param: usize, value: T) {
         match param {
             ALPHA => self.alpha = value,
             ANISOTROPY => self.anisotropy = value,
-            ROTATION => self.turn = turn(value),
+            ROTATION => self.given_turn = turn(value),
             _ => return,
         }
+        self.turn = effective_turn(self.anisotropy, self.given_turn);
         self.axes = if self.is_round {
             [self.alpha; 2]
         } else {
@@ -90,4 +94,14 @@ fn axes<T: Real>(alpha: T, anisotropy: T) -> [T; 2] {
 #[inline(always)]
 fn turn<T: Real>(rotation: T) -> [T; 2] {
     [rotation.cos_turns(), rotation.sin_turns()]
+}
+
+#[inline(always)]
+fn effective_turn<T: Real>(anisotropy: T, given: [T; 2]) -> [T; 2] {
+    let (zero, one) = (T::new(0.0), T::new(1.0));
+    let is_anisotropic = anisotropy.gt(zero);
+    [
+        T::select(is_anisotropic, given[0], one),
+        T::select(is_anisotropic, given[1], zero),
+    ]
 }

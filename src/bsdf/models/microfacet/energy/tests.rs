@@ -5,7 +5,7 @@ use super::super::masking::Masking;
 use super::*;
 
 /// GGX with height-correlated masking.
-fn ggx<T: Precision>(alpha: T, wo: Vec3<T>, u: [T; 2]) -> Reflected<T> {
+fn ggx(alpha: f64, wo: Vec3<f64>, u: [f64; 2]) -> Reflected<f64> {
     Reflected::by_ndf(&Ggx::isotropic(alpha), Masking::Smith, [alpha; 2], wo, u)
 }
 
@@ -55,11 +55,11 @@ fn cosines_tried(alpha: f64) -> Vec<f64> {
 /// The bound that the module states.
 #[test]
 fn the_table_is_within_its_error() {
-    let single = Energy::<f32>::over_alpha(ggx);
-    let double = Energy::<f64>::over_alpha(ggx);
+    let single = Energy::over_alpha(ggx).rounded::<f32>();
+    let double = Energy::over_alpha(ggx);
     let (mut worst, mut of_truth) = ([0.0f64; 2], 0.0f64);
     for alpha in ALPHAS_TRIED {
-        let fixed = Energy::<f64>::of_alpha(alpha, |wo, u| ggx(alpha, wo, u));
+        let fixed = Energy::of_alpha(alpha, |wo, u| ggx(alpha, wo, u));
         for cosine in cosines_tried(alpha) {
             let truth = by_quadrature(alpha, cosine, 700);
             if cosine > 0.3 && alpha > 0.3 {
@@ -87,7 +87,7 @@ fn the_table_is_within_its_error() {
 /// the integral of z / (1 + z) over z in [0, 1].
 #[test]
 fn the_albedo_has_its_closed_value() {
-    let energy = Energy::<f64>::over_alpha(ggx);
+    let energy = Energy::over_alpha(ggx);
     let found = energy.albedo(&energy.row(1.0), 1.0).whole;
     let expected = 1.0 - std::f64::consts::LN_2;
     assert!((found - expected).abs() < 1e-4, "{found} {expected}");
@@ -97,7 +97,7 @@ fn the_albedo_has_its_closed_value() {
 /// 12).
 #[test]
 fn the_smoothest_lobe_is_a_mirror() {
-    let energy = Energy::<f32>::over_alpha(ggx);
+    let energy = Energy::over_alpha(ggx).rounded::<f32>();
     let row = energy.row(LEAST_ALPHA as f32);
     for i in 1..=100 {
         let cosine = i as f32 / 100.0;
@@ -118,7 +118,7 @@ fn the_smoothest_lobe_is_a_mirror() {
 #[test]
 fn the_mean_is_that_of_the_albedo() {
     const COUNT: u32 = 60;
-    let energy = Energy::<f64>::over_alpha(ggx);
+    let energy = Energy::over_alpha(ggx);
     for alpha in ALPHAS_TRIED {
         let row = energy.row(alpha);
         let (mut truth, mut own) = ([0.0; 2], [0.0; 2]);
@@ -144,7 +144,7 @@ fn the_mean_is_that_of_the_albedo() {
 /// Every result is in range for all alphas and cosines, even where the spline overshoots.
 #[test]
 fn results_are_in_range() {
-    let energy = Energy::<f32>::over_alpha(ggx);
+    let energy = Energy::over_alpha(ggx).rounded::<f32>();
     for i in 0..=300 {
         let alpha = (1e-4f32).powf(i as f32 / 300.0);
         let row = energy.row(alpha);
@@ -172,7 +172,7 @@ fn a_table_takes_its_stated_number_of_samples() {
     let count = std::cell::Cell::new(0);
     let counted = |alpha, wo, u| {
         count.set(count.get() + 1);
-        ggx::<f32>(alpha, wo, u)
+        ggx(alpha, wo, u)
     };
     Energy::over_alpha(counted);
     assert_eq!(count.replace(0), 105_560);
