@@ -41,21 +41,25 @@ void check_nulls(PellicleStatus (*call)(Parameters...), const std::vector<const 
     check_each(call, valid, names, std::index_sequence_for<Parameters...>());
 }
 
+// One output of each kind; at its end it checks that nothing was written.
+struct Outputs {
+    Untouched<PellicleModelInfo> model;
+    Untouched<PellicleModelParam> param;
+    Untouched<PellicleMediumInfo> medium;
+    Untouched<PellicleFilmInfo> film_info;
+    Untouched<PellicleFilmPlan> plan;
+    Untouched<PellicleBsdfInfo> bsdf_info;
+    Untouched<PellicleVaryingInfo> varying;
+    Untouched<PellicleLobeInfo> lobe;
+    Untouched<PellicleSample> sample;
+    Untouched<PellicleFilm *> film_handle;
+    Untouched<PellicleBsdf *> bsdf_handle;
+    Untouched<float[3]> rgb, other;
+    Untouched<float> pdf, pdf_reverse;
+};
+
 // The functions below, which the last test compares with those of the header.
-std::vector<std::pair<std::string, std::function<void()>>> all_calls() {
-    static Untouched<PellicleModelInfo> model;
-    static Untouched<PellicleModelParam> param;
-    static Untouched<PellicleMediumInfo> medium;
-    static Untouched<PellicleFilmInfo> film_info;
-    static Untouched<PellicleFilmPlan> plan;
-    static Untouched<PellicleBsdfInfo> bsdf_info;
-    static Untouched<PellicleVaryingInfo> varying;
-    static Untouched<PellicleLobeInfo> lobe;
-    static Untouched<PellicleSample> sample;
-    static Untouched<PellicleFilm *> film_handle;
-    static Untouched<PellicleBsdf *> bsdf_handle;
-    static Untouched<float[3]> rgb, other;
-    static Untouched<float> pdf, pdf_reverse;
+std::vector<std::pair<std::string, std::function<void()>>> all_calls(Outputs &outputs) {
     static const pellicle::Bsdf bsdf = lambert();
     static const PellicleFilm *const film = support::fixed_film().raw();
     static support::FilmDescription film_description;
@@ -68,32 +72,32 @@ std::vector<std::pair<std::string, std::function<void()>>> all_calls() {
     static const PellicleEvalBatchArgs eval_args{};
     static const PellicleSampleBatchArgs sample_args{};
     static const PellicleFilmBatchArgs film_args{};
-#define NULLS(function, names, ...) {#function, [] { check_nulls(pellicle_##function, names, {__VA_ARGS__}); }}
+#define NULLS(function, names, ...) {#function, [&outputs] { check_nulls(pellicle_##function, names, {__VA_ARGS__}); }}
 #define NAMES(...) {__VA_ARGS__}
     return {
-        NULLS(model_info, NAMES("", "info", ""), 0, &model.output, sizeof model.output),
-        NULLS(model_param, NAMES("", "", "info", ""), 0, 0, &param.output, sizeof param.output),
-        NULLS(medium_info, NAMES("", "info", ""), 0, &medium.output, sizeof medium.output),
+        NULLS(model_info, NAMES("", "info", ""), 0, &outputs.model.output, sizeof outputs.model.output),
+        NULLS(model_param, NAMES("", "", "info", ""), 0, 0, &outputs.param.output, sizeof outputs.param.output),
+        NULLS(medium_info, NAMES("", "info", ""), 0, &outputs.medium.output, sizeof outputs.medium.output),
         NULLS(film_create, NAMES("desc", "", "film"), &film_description.raw(), sizeof film_description.desc,
-              &film_handle.output),
-        NULLS(film_info, NAMES("film", "info", ""), film, &film_info.output, sizeof film_info.output),
-        NULLS(film_plan, NAMES("film", "plan", ""), film, &plan.output, sizeof plan.output),
-        NULLS(film_reflectance, NAMES("film", "", "", "rgb"), film, 1.0f, 0.0f, rgb.output),
-        NULLS(film_eval, NAMES("film", "", "", "", "", ""), film, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, rgb.output,
-              other.output),
-        NULLS(film_reference, NAMES("film", "", "", "rgb"), film, 1.0f, 0.0f, rgb.output),
+              &outputs.film_handle.output),
+        NULLS(film_info, NAMES("film", "info", ""), film, &outputs.film_info.output, sizeof outputs.film_info.output),
+        NULLS(film_plan, NAMES("film", "plan", ""), film, &outputs.plan.output, sizeof outputs.plan.output),
+        NULLS(film_reflectance, NAMES("film", "", "", "rgb"), film, 1.0f, 0.0f, outputs.rgb.output),
+        NULLS(film_eval, NAMES("film", "", "", "", "", ""), film, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, outputs.rgb.output,
+              outputs.other.output),
+        NULLS(film_reference, NAMES("film", "", "", "rgb"), film, 1.0f, 0.0f, outputs.rgb.output),
         NULLS(film_spectrum, NAMES("film", "", "", "lambda_nm", "", "reflectance"), film, 1.0f, 0.0f, lambda_nm, 3,
-              rgb.output),
+              outputs.rgb.output),
         NULLS(film_reflectance_batch, NAMES("film", "args", ""), film, &film_args, sizeof film_args),
-        NULLS(bsdf_create, NAMES("desc", "", "bsdf"), &bsdf_desc, sizeof bsdf_desc, &bsdf_handle.output),
-        NULLS(bsdf_info, NAMES("bsdf", "info", ""), bsdf.raw(), &bsdf_info.output, sizeof bsdf_info.output),
-        NULLS(bsdf_varying, NAMES("bsdf", "", "info", ""), bsdf.raw(), 0, &varying.output, sizeof varying.output),
-        NULLS(bsdf_lobe, NAMES("bsdf", "", "info", ""), bsdf.raw(), 0, &lobe.output, sizeof lobe.output),
+        NULLS(bsdf_create, NAMES("desc", "", "bsdf"), &bsdf_desc, sizeof bsdf_desc, &outputs.bsdf_handle.output),
+        NULLS(bsdf_info, NAMES("bsdf", "info", ""), bsdf.raw(), &outputs.bsdf_info.output, sizeof outputs.bsdf_info.output),
+        NULLS(bsdf_varying, NAMES("bsdf", "", "info", ""), bsdf.raw(), 0, &outputs.varying.output, sizeof outputs.varying.output),
+        NULLS(bsdf_lobe, NAMES("bsdf", "", "info", ""), bsdf.raw(), 0, &outputs.lobe.output, sizeof outputs.lobe.output),
         NULLS(bsdf_eval, NAMES("bsdf", "wo", "wi", "", "", "", "", ""), bsdf.raw(), up, up, nullptr, nullptr,
-              rgb.output, &pdf.output, &pdf_reverse.output),
+              outputs.rgb.output, &outputs.pdf.output, &outputs.pdf_reverse.output),
         NULLS(bsdf_sample, NAMES("bsdf", "wo", "u", "", "", "sample", ""), bsdf.raw(), up, u, nullptr, nullptr,
-              &sample.output, sizeof sample.output),
-        NULLS(bsdf_albedo, NAMES("bsdf", "wo", "", "", "albedo"), bsdf.raw(), up, nullptr, nullptr, rgb.output),
+              &outputs.sample.output, sizeof outputs.sample.output),
+        NULLS(bsdf_albedo, NAMES("bsdf", "wo", "", "", "albedo"), bsdf.raw(), up, nullptr, nullptr, outputs.rgb.output),
         NULLS(bsdf_eval_batch, NAMES("bsdf", "args", ""), bsdf.raw(), &eval_args, sizeof eval_args),
         NULLS(bsdf_sample_batch, NAMES("bsdf", "args", ""), bsdf.raw(), &sample_args, sizeof sample_args),
     };
@@ -109,7 +113,8 @@ PellicleStatus create(const PellicleBsdfDesc &desc) {
 } // namespace
 
 TEST_CASE("null: every function refuses every missing pointer by name") {
-    for (const auto &[name, check] : all_calls()) {
+    Outputs outputs;
+    for (const auto &[name, check] : all_calls(outputs)) {
         CAPTURE(name);
         check();
     }
@@ -117,7 +122,8 @@ TEST_CASE("null: every function refuses every missing pointer by name") {
 
 TEST_CASE("null: every function of the header that returns a status is in the list above") {
     std::set<std::string> tried, declared;
-    for (const auto &[name, check] : all_calls()) tried.insert(name);
+    Outputs outputs;
+    for (const auto &[name, check] : all_calls(outputs)) tried.insert(name);
 #define FUNCTION(name)                                                                                       \
     if (std::is_same_v<decltype(support::result_of(&pellicle_##name)), PellicleStatus>) declared.insert(#name);
 #include "functions.inc"
