@@ -2,14 +2,6 @@
 
 use super::info::{LobeInfo, ModelInfo};
 use super::model::Model;
-use super::models::disney_diffuse::DisneyDiffuse;
-use super::models::film::ThinFilm;
-use super::models::lambert::Lambert;
-use super::models::layered::Layered;
-use super::models::metallic_roughness::MetallicRoughness;
-use super::models::microfacet::Microfacet;
-use super::models::oren_nayar::OrenNayar;
-use super::models::phong::Phong;
 use super::precision::Prepare;
 use super::values::{Bounds, Values};
 use crate::error::Error;
@@ -25,14 +17,14 @@ macro_rules! registry {
 }
 
 registry![
-    Lambert,
-    OrenNayar,
-    DisneyDiffuse,
-    Phong,
-    Layered,
-    ThinFilm,
-    Microfacet,
-    MetallicRoughness,
+    super::models::lambert::Lambert,
+    super::models::oren_nayar::OrenNayar,
+    super::models::disney_diffuse::DisneyDiffuse,
+    super::models::phong::Phong,
+    super::models::layered::Layered,
+    super::models::film::ThinFilm,
+    super::models::microfacet::Microfacet,
+    super::models::metallic_roughness::MetallicRoughness,
 ];
 
 /// All models.
