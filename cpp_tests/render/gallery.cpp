@@ -24,12 +24,12 @@ constexpr const char *mapsDirectory = "maps";
 
 constexpr int chartWidth = 500, chartHeight = 250;
 
-/// Without --all and --scene: a first look in half a minute. The hero is 640 x 360.
+/// Without --all and --scene: a first look in less than a minute. The hero is 640 x 360.
 struct FirstLook {
     const char *chapter;
     int size, samplesPerPixel;
 };
-constexpr FirstLook firstLook[] = {{"hero", 128, 16}, {"paper", 192, 16}};
+constexpr FirstLook firstLook[] = {{"hero", 128, 32}, {"paper", 192, 16}};
 
 void list(const std::string &name, std::string caption) {
     for (std::size_t i; (i = caption.find('\n')) != std::string::npos;)
