@@ -66,7 +66,7 @@ add_consumer_test(example.cpp.cmake plain
             "${CMAKE_CURRENT_BINARY_DIR}/consumer/plain/example-cpp"
         --build-generator "${CMAKE_GENERATOR}"
         --build-options "-Dpellicle_ROOT=${CMAKE_CURRENT_BINARY_DIR}/consumer/plain/moved"
-        --test-command "${consumer_dir}/render_and_check.sh" ./spheres spheres.png)
+        --test-command "${consumer_dir}/render_and_check.sh" ./spheres spheres.png 8)
 
 # The first C block of the README is what people paste: it compiles and runs as printed.
 add_consumer_test(example.readme plain

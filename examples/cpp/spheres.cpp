@@ -1,5 +1,5 @@
 // A small path tracer: 25 spheres, metallic from bottom to top and rough from left to right, in a studio.
-// Usage: spheres [picture], by default spheres.png.
+// Usage: spheres [picture [samples]], by default spheres.png with 64 samples a pixel.
 //
 // One BSDF serves all spheres: roughness and metallic are declared as varying and come with every call.
 // Builds alone against an installed pellicle, see CMakeLists.txt beside it.
@@ -16,12 +16,13 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <stdexcept>
 #include <string>
 
 using Imath::C3f;
 using Imath::V3f;
 
-constexpr int size = 640, samplesPerPixel = 64, longestPath = 8, perSide = 5;
+constexpr int size = 640, longestPath = 8, perSide = 5;
 constexpr float spacing = 2.3f, eyeDistance = 26, halfView = 6.1f;
 
 // Uniform in [0, 1), with the 24 bits of precision that a float has.
@@ -84,20 +85,20 @@ C3f radiance(const pellicle::Bsdf &bsdf, V3f origin, V3f direction, std::array<f
     return C3f(0);
 }
 
-C3f pixel(const pellicle::Bsdf &bsdf, int x, int y, std::mt19937 &random) {
+C3f pixel(const pellicle::Bsdf &bsdf, int x, int y, int samples, std::mt19937 &random) {
     // The sequence R3, shifted: 1 / phi, 1 / phi^2 and 1 / phi^3, where phi^4 = phi + 1 (M. Roberts, "The
     // Unreasonable Effectiveness of Quasirandom Sequences", 2018). Less noise than independent numbers.
     constexpr std::array<float, 3> steps{0.8191725f, 0.6710436f, 0.5497005f};
     std::array<float, 3> u{uniform(random), uniform(random), uniform(random)};
     C3f sum(0);
-    for (int i = 0; i < samplesPerPixel; ++i) {
+    for (int i = 0; i < samples; ++i) {
         const float right = 2 * (float(x) + uniform(random)) / size - 1;
         const float up = 1 - 2 * (float(y) + uniform(random)) / size;
         const V3f direction = V3f(right * halfView, up * halfView, -eyeDistance).normalized();
         for (unsigned k = 0; k < 3; ++k) u[k] = std::fmod(u[k] + steps[k], 1.0f);
         sum += radiance(bsdf, {0, 0, eyeDistance}, direction, u, random);
     }
-    const C3f mean = sum / samplesPerPixel;
+    const C3f mean = sum / float(samples);
     // E. Reinhard et al., "Photographic Tone Reproduction for Digital Images", 2002, eq. 4.
     constexpr float white = 4;
     const float luminance = 0.2126f * mean.x + 0.7152f * mean.y + 0.0722f * mean.z; // Rec.709
@@ -106,6 +107,7 @@ C3f pixel(const pellicle::Bsdf &bsdf, int x, int y, std::mt19937 &random) {
 
 int main(int argc, char **argv) try {
     const std::string file = argc > 1 ? argv[1] : "spheres.png";
+    const int samples = argc > 2 ? std::max(1, std::stoi(argv[2])) : 64;
     const pellicle::Bsdf bsdf = pellicle::BsdfBuilder("metallic_roughness")
                                     .set("base_color", {0.72f, 0.2f, 0.07f})
                                     .vary("roughness", 0, 1)
@@ -114,7 +116,7 @@ int main(int argc, char **argv) try {
     OIIO::ImageBuf image(OIIO::ImageSpec(size, size, 3, OIIO::TypeFloat));
     OIIO::parallel_for(0, size, [&](int y) { // threads share the BSDF
         std::mt19937 random(static_cast<unsigned>(y)); // the same picture with any number of threads
-        for (int x = 0; x < size; ++x) image.setpixel(x, y, pixel(bsdf, x, y, random).getValue());
+        for (int x = 0; x < size; ++x) image.setpixel(x, y, pixel(bsdf, x, y, samples, random).getValue());
     });
     if (OIIO::ImageBufAlgo::colorconvert(image, image, "linear", "sRGB") && image.write(file, OIIO::TypeUInt8))
         return 0;
@@ -122,5 +124,8 @@ int main(int argc, char **argv) try {
     return 1;
 } catch (const pellicle::Error &error) {
     std::cerr << pellicle_status_string(error.status()) << ": " << error.what() << '\n';
+    return 1;
+} catch (const std::logic_error &) {
+    std::cerr << "the number of samples is no number that fits: " << argv[2] << '\n';
     return 1;
 }
