@@ -123,7 +123,7 @@ const WITH_STRETCH: &[&[Choice]] = &[
 ];
 
 /// The least alpha of a rough surface.
-const LEAST_ALPHA: f32 = 1e-4;
+const LEAST_ALPHA: f32 = energy::LEAST_ALPHA as f32;
 
 /// A mirror has the first lobe; a rough surface has the second and, with energy compensation, the third.
 const LOBES: &[LobeInfo] = &[
@@ -249,6 +249,7 @@ fn is_mirror<T: Precision>(values: &Values<T>) -> bool {
     values.number(ALPHA) == T::new(0.0)
 }
 
+/// A parameter in double precision, in which tables are made.
 fn double<T: Precision>(values: &Values<T>, param: usize) -> f64 {
     values.number(param).into()
 }
