@@ -7,12 +7,12 @@ use super::boundary::{
 use super::bsdf_types::{
     PellicleBsdfDesc, PellicleBsdfInfo, PellicleLobeInfo, PellicleParam, PellicleVaryingInfo,
 };
+use super::c_types::size_t;
 use super::film;
 use super::text::text;
 use super::types::{PELLICLE_KIND_DIRECTION, PELLICLE_KIND_NUMBER, PellicleBsdf, PellicleStatus};
 use crate::bsdf::{Bsdf, Description, ParamKind};
 use crate::error::Error;
-use libc::size_t;
 use std::ffi::CString;
 use std::sync::Arc;
 

@@ -1,13 +1,13 @@
 //! Single calls of a film.
 
 use super::boundary::{elements, guard, guard_status, refuse_null, require};
+use super::c_types::size_t;
 use super::film::{FilmHandle, handle};
 use super::types::{
     PELLICLE_OK, PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE, PellicleFilm, PellicleStatus,
 };
 use crate::error::Error;
 use crate::optics::stack::Side;
-use libc::size_t;
 
 /// Reflectance of unpolarised light from the ambient's side, RGB, into `rgb` (3 numbers).
 ///
