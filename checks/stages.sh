@@ -63,6 +63,19 @@ need_target() {
     step rustup target add "$1"
 }
 
+# Wine with a folder of its own, and MinGW, which makes the one library that older wines lack.
+need_wine() {
+    need_tool x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
+    need_tool wine wine
+    need_packages wine64
+    export WINEDEBUG=-all WINEPREFIX="$PWD/build/check/wine"
+    mkdir -p build/check
+    local system="$WINEPREFIX/drive_c/windows/system32"
+    [[ -d "$system" ]] || step wineboot --init
+    x86_64-w64-mingw32-gcc-posix -shared -static-libgcc checks/wine_bcryptprimitives.c -ladvapi32 \
+        -o "$system/bcryptprimitives.dll"
+}
+
 # configure_cross folder toolchain [options]: the project for another platform, into build/check/<folder>.
 configure_cross() {
     local folder="build/check/$1" toolchain=$2

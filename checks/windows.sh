@@ -1,10 +1,8 @@
 # 64-bit Windows, under wine: DLL, import library and static library, and the ABI tests with both. `./x package` tries
 # the CMake package and the C example there.
 need_target x86_64-pc-windows-gnu
-need_tool x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
-need_tool wine wine
-need_packages cmake ninja-build doctest-dev wine64
-export WINEDEBUG=-all WINEPREFIX="$PWD/build/check/wine"
+need_packages cmake ninja-build doctest-dev
+need_wine
 configure_cross windows x86_64-windows-gnu
 step cmake --build build/check/windows
 # In one process each: a start of wine takes longer than most tests.

@@ -22,8 +22,7 @@ set(CPACK_DEBIAN_PACKAGE_NAME libpellicle-dev)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}
- Reflectance models and thin films as eval, sample and pdf for renderers
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Reflectance models and thin films as eval, sample and pdf for renderers
  written in C and C++: the shared and the static library, headers, and files
  for CMake and pkg-config.")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/packaging/triggers")

@@ -2,6 +2,7 @@
 # program is built from what was unpacked, on a PATH without cargo, and runs. Read by x, with its functions at hand.
 
 PLATFORMS=(linux aarch64 windows musl)
+debian=(-DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_INSTALL_DOCDIR=share/doc/libpellicle-dev)
 
 package() {
     (($#)) || set -- "${PLATFORMS[@]}"
@@ -23,7 +24,7 @@ package_linux() {
     make_package linux TGZ "" -DCMAKE_INSTALL_LIBDIR=lib
     try_with_cmake linux lib ""
     try_with_pkg_config linux lib cc "" shared
-    make_package linux DEB "" -DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_INSTALL_LIBDIR="lib/$architecture"
+    make_package linux DEB "" "${debian[@]}" -DCMAKE_INSTALL_LIBDIR="lib/$architecture"
     try_with_cmake linux "usr/lib/$architecture" ""
     try_with_pkg_config linux "usr/lib/$architecture" cc "" shared
     if ((EUID == 0)); then try_installing; fi
@@ -37,16 +38,13 @@ package_aarch64() {
     make_package aarch64 TGZ $toolchain -DCMAKE_INSTALL_LIBDIR=lib
     try_with_cmake aarch64 lib $toolchain
     try_with_pkg_config aarch64 lib aarch64-linux-gnu-gcc "qemu-aarch64 -L /usr/aarch64-linux-gnu" shared
-    make_package aarch64 DEB $toolchain -DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_INSTALL_LIBDIR=lib/$toolchain
+    make_package aarch64 DEB $toolchain "${debian[@]}" -DCMAKE_INSTALL_LIBDIR=lib/$toolchain
     try_with_cmake aarch64 usr/lib/$toolchain $toolchain
 }
 
 package_windows() {
     need_target x86_64-pc-windows-gnu
-    need_tool x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
-    need_tool wine wine
-    need_packages wine64
-    export WINEDEBUG=-all WINEPREFIX="$PWD/build/check/wine"
+    need_wine
     make_package windows ZIP x86_64-windows-gnu -DCMAKE_INSTALL_LIBDIR=lib
     try_with_cmake windows lib x86_64-windows-gnu
     cp "$unpacked/bin/pellicle.dll" "$unpacked/lib"
@@ -88,15 +86,11 @@ make_package() {
 
 # try_with_cmake platform libdir toolchain: the consumer project and its tests, with the CMake package.
 try_with_cmake() {
-    local platform=$1 libdir=$2 toolchain=$3 project options
-    for project in cpp_tests/consumer examples/c; do
-        options=("-Dpellicle_DIR=$unpacked/$libdir/cmake/pellicle")
-        [[ -z "$toolchain" ]] || options+=("-DCMAKE_TOOLCHAIN_FILE=$PWD/toolchains/$toolchain.cmake")
-        rm -rf "build/package/try-$platform"
-        PATH=$(path_without_cargo) step ctest --build-and-test "$project" "build/package/try-$platform" \
-            --build-generator Ninja --build-options "${options[@]}" \
-            --test-command ctest --output-on-failure
-    done
+    local options=("-Dpellicle_DIR=$unpacked/$2/cmake/pellicle")
+    [[ -z "$3" ]] || options+=("-DCMAKE_TOOLCHAIN_FILE=$PWD/toolchains/$3.cmake")
+    rm -rf "build/package/try-$1"
+    PATH=$(path_without_cargo) step ctest --build-and-test cpp_tests/consumer "build/package/try-$1" \
+        --build-generator Ninja --build-options "${options[@]}" --test-command ctest --output-on-failure
 }
 
 # try_with_pkg_config platform libdir compiler emulator shared|static: the C example, with pkg-config.
