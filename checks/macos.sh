@@ -11,7 +11,9 @@ includes=(-nostdinc -isystem "$(clang -print-resource-dir)/include" -isystem "$s
 for processor in aarch64 x86_64; do
     step cargo check --locked --lib --target "$processor-apple-darwin"
     for file in layout.c layout.cpp host_macros.cpp headers_without_exceptions.cpp; do
-        step clang --target="${processor/aarch64/arm64}-apple-darwin" -fsyntax-only -Wall -Wextra -Wconversion -Werror \
+        compiler=(clang -std=c99)
+        [[ $file == *.c ]] || compiler=(clang++ -std=c++17 -nostdinc++)
+        step "${compiler[@]}" --target="${processor/aarch64/arm64}-apple-darwin" -fsyntax-only -Wall -Wextra -Wconversion -Werror \
             "${includes[@]}" -Iinclude "cpp_tests/abi/$file"
     done
 done

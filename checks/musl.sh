@@ -14,3 +14,5 @@ if readelf --dynamic build/check/musl/use | grep -F '(NEEDED)'; then
     die 1 "the program needs shared libraries"
 fi
 step build/check/musl/use
+# What stops a panic finds its way by this index.
+readelf --wide --program-headers build/check/musl/use | grep -F GNU_EH_FRAME || die 1 "the program has no index of its frames"

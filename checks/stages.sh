@@ -68,8 +68,9 @@ need_wine() {
     need_tool x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
     need_tool wine wine
     need_packages wine64
-    export WINEDEBUG=-all WINEPREFIX="$PWD/build/check/wine"
-    mkdir -p build/check
+    # Outside this folder, because wine links to the whole file system from its own, and cargo follows links.
+    export WINEDEBUG=-all WINEPREFIX="${XDG_CACHE_HOME:-$HOME/.cache}/pellicle/wine"
+    mkdir -p "${WINEPREFIX%/*}"
     local system="$WINEPREFIX/drive_c/windows/system32"
     [[ -d "$system" ]] || step wineboot --init
     x86_64-w64-mingw32-gcc-posix -shared -static-libgcc checks/wine_bcryptprimitives.c -ladvapi32 \

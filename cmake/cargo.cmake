@@ -85,5 +85,6 @@ add_library(pellicle::static STATIC IMPORTED GLOBAL)
 set_target_properties(pellicle::static PROPERTIES
     IMPORTED_LOCATION "${pellicle_static_library}"
     INTERFACE_INCLUDE_DIRECTORIES "${PROJECT_SOURCE_DIR}/include"
-    INTERFACE_LINK_LIBRARIES "${pellicle_static_dependencies}")
+    INTERFACE_LINK_LIBRARIES "${pellicle_static_dependencies}"
+    INTERFACE_LINK_OPTIONS "${pellicle_static_link_options}")
 add_dependencies(pellicle::static pellicle_static_library)

@@ -19,7 +19,9 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS include/pellicle.
 # pellicle_static_dependencies: what Rust's standard library needs, without what every C compiler adds by itself
 # (libgcc_s or, under -static, libgcc_eh; libc). To be compared with
 # `cargo rustc --release --lib --crate-type staticlib --target ... -- --print native-static-libs`.
+# pellicle_static_link_options: what a program with the static library needs besides libraries
 set(pellicle_static_name libpellicle.a)
+set(pellicle_static_link_options "")
 set(pellicle_localise_symbols OFF)
 if(WIN32)
     set(pellicle_shared_name pellicle.dll)
@@ -39,4 +41,8 @@ else()
     set(pellicle_link_name libpellicle.so)
     set(pellicle_static_dependencies util rt pthread m dl)
     set(pellicle_localise_symbols ON)
+    if(PELLICLE_CARGO_TARGET MATCHES "musl")
+        # The compiler for musl leaves out the index by which Rust's unwinder finds its way when it stops a panic.
+        set(pellicle_static_link_options -Wl,--eh-frame-hdr)
+    endif()
 endif()

@@ -41,10 +41,22 @@ else()
     # What a whole build may ask for is not for this object: it has no code, and the linker below takes no plug-ins.
     target_compile_options(pellicle_visibility PRIVATE -fPIC -fno-lto -fno-sanitize=all)
 
+    # Debian's libgcc_eh needs glibc: for musl Rust brings an unwinder of its own.
+    set(pellicle_unwinder "")
+    if(PELLICLE_CARGO_TARGET MATCHES "musl")
+        cmake_path(GET PELLICLE_CARGO PARENT_PATH pellicle_rust_dir)
+        find_program(PELLICLE_RUSTC rustc HINTS "${pellicle_rust_dir}" REQUIRED)
+        execute_process(COMMAND "${PELLICLE_RUSTC}" --print target-libdir --target "${PELLICLE_CARGO_TARGET}"
+            OUTPUT_VARIABLE pellicle_rust_libraries OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+        find_library(PELLICLE_UNWINDER unwind NO_DEFAULT_PATH REQUIRED
+            PATHS "${pellicle_rust_libraries}/self-contained")
+        set(pellicle_unwinder "${PELLICLE_UNWINDER}")
+    endif()
+
     set(pellicle_object "${PROJECT_BINARY_DIR}/cargo/pellicle.o")
     add_custom_command(OUTPUT "${pellicle_static_library}"
         COMMAND "${pellicle_gnu_ld}" --relocatable --force-group-allocation --gc-sections ${pellicle_roots}
-            -o "${pellicle_object}" $<TARGET_OBJECTS:pellicle_visibility> "${pellicle_cargo_static_library}"
+            -o "${pellicle_object}" $<TARGET_OBJECTS:pellicle_visibility> "${pellicle_cargo_static_library}" ${pellicle_unwinder}
         # The compiler's intermediate code in the sections .llvm* confuses other versions of its tools.
         COMMAND "${CMAKE_OBJCOPY}" --strip-debug --remove-section=.pellicle.visibility "--remove-section=.llvm*"
             --wildcard "--keep-global-symbol=pellicle_*" "${pellicle_object}"
