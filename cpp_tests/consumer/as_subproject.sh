@@ -49,3 +49,13 @@ configure -DPELLICLE_CARGO_TARGET_DIR="$target"
 configure -DPELLICLE_INSTALL=ON
 "$cmake" --install "$work/build" --prefix "$work/with"
 [[ -f "$work/with/include/pellicle.h" ]] || { echo "pellicle is not installed though asked" >&2; exit 1; }
+
+# The functions of the static library are hidden, unless the parent asks for them.
+visibility() {
+    readelf --symbols --wide "$work/build/"*/lib/libpellicle.a "$work/build/"_deps/*/lib/libpellicle.a 2>/dev/null |
+        awk '$NF == "pellicle_get_api" { print $6 }'
+}
+[[ "$(visibility)" == HIDDEN ]] || { echo "the static library's functions are $(visibility)" >&2; exit 1; }
+configure -DPELLICLE_STATIC_EXPORT=ON
+"$cmake" --build "$work/build"
+[[ "$(visibility)" == DEFAULT ]] || { echo "asked to export, the functions are $(visibility)" >&2; exit 1; }
