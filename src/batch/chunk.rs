@@ -7,28 +7,21 @@ use std::mem::MaybeUninit;
 /// The greatest number of elements of a chunk. Their numbers fit in the first-level cache.
 pub(super) const CHUNK: usize = 256;
 /// The lengths of columns are multiples of this number, which the number of lanes of every level divides.
-const LANES: usize = 16;
+pub(super) const LANES: usize = 16;
 /// Batches with fewer elements are evaluated one by one, because filling lanes would take longer.
 const FEWEST_FOR_LANES: usize = 8;
 
 /// A buffer for the copy of one component. It is not initialised before it is used.
 #[derive(Clone, Copy)]
 #[repr(C, align(64))]
-pub(super) struct Column<T: Copy>(MaybeUninit<[T; CHUNK]>);
+pub(super) struct Column<T: Copy>(pub(super) [MaybeUninit<T>; CHUNK]);
 
 impl<T: Copy + Default> Column<T> {
-    pub const EMPTY: Self = Self(MaybeUninit::uninit());
+    pub const EMPTY: Self = Self([MaybeUninit::uninit(); CHUNK]);
 
     /// The first `count` numbers, all 0.
     fn zeros(&mut self, count: usize) -> &mut [T] {
-        assert!(count <= CHUNK, "{count} of {CHUNK}");
-        let first = self.0.as_mut_ptr().cast::<T>();
-        for i in 0..count {
-            // SAFETY: the buffer has `CHUNK` numbers.
-            unsafe { first.add(i).write(T::default()) };
-        }
-        // SAFETY: these numbers have just been written.
-        unsafe { std::slice::from_raw_parts_mut(first, count) }
+        zeros(&mut self.0, count)
     }
 
     /// The first `count` numbers.
@@ -39,6 +32,14 @@ impl<T: Copy + Default> Column<T> {
         // SAFETY: the caller vouches for it.
         unsafe { std::slice::from_raw_parts(self.0.as_ptr().cast::<T>(), count) }
     }
+}
+
+/// The first `count` numbers of a buffer, all 0.
+fn zeros<T: Copy + Default>(room: &mut [MaybeUninit<T>], count: usize) -> &mut [T] {
+    let room = &mut room[..count];
+    room.fill(MaybeUninit::new(T::default()));
+    // SAFETY: these numbers have just been written.
+    unsafe { std::slice::from_raw_parts_mut(room.as_mut_ptr().cast(), count) }
 }
 
 /// The `count` elements of a batch that begin at element `first`.
@@ -54,6 +55,8 @@ pub(super) struct Chunk {
 /// The chunks of a batch.
 pub(super) struct Chunks {
     count: usize,
+    /// The greatest number of elements of a chunk.
+    longest: usize,
     is_direct: bool,
     lanes: usize,
     /// The level at which the chunks are evaluated.
@@ -67,15 +70,22 @@ impl Chunks {
         let is_short = count < FEWEST_FOR_LANES;
         Self {
             count,
+            longest: CHUNK,
             is_direct,
             lanes: if is_short { 1 } else { LANES },
             level: if is_short { Level::SCALAR } else { level },
         }
     }
 
+    /// The same batch in chunks of at most `longest` elements, a multiple of [`LANES`].
+    pub fn of_at_most(self, longest: usize) -> Self {
+        Self { longest, ..self }
+    }
+
     pub fn iter(&self) -> impl Iterator<Item = Chunk> {
         let Self {
             count: all,
+            longest,
             is_direct,
             lanes,
             ..
@@ -85,9 +95,9 @@ impl Chunks {
             let left = all - first;
             let whole = left - left % lanes;
             let count = if is_direct && whole > 0 {
-                whole.min(CHUNK)
+                whole.min(longest)
             } else {
-                left.min(CHUNK)
+                left.min(longest)
             };
             let chunk = Chunk {
                 first,
@@ -165,13 +175,13 @@ impl Chunk {
     ///
     /// # Safety
     /// As for [`Chunk::columns`].
-    pub unsafe fn read<'a>(&self, view: &ConstView, room: &'a mut Column<f32>) -> &'a [f32] {
+    pub unsafe fn read<'a>(&self, view: &ConstView, room: &'a mut [MaybeUninit<f32>]) -> &'a [f32] {
         // SAFETY: as in `columns`.
         unsafe {
             if self.is_in_place(&view.as_view(), 1) {
                 return std::slice::from_raw_parts(view.address(self.first, 0), self.count);
             }
-            let numbers = room.zeros(self.padded());
+            let numbers = zeros(room, self.padded());
             view.load(self.first, self.count, &mut [&mut *numbers]);
             numbers
         }

@@ -46,8 +46,8 @@ pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs, level: Level) -> Re
     for chunk in chunks.iter() {
         // SAFETY: the caller vouches for every address of every view; slices do not overlap, or are copies.
         unsafe {
-            let cosines = chunk.read(&args.cos_theta, &mut cosines);
-            let thicknesses = chunk.read(&thickness_nm, &mut thicknesses);
+            let cosines = chunk.read(&args.cos_theta, &mut cosines.0);
+            let thicknesses = chunk.read(&thickness_nm, &mut thicknesses.0);
             let mut reflectance = chunk.columns_mut(&args.reflectance, &mut room);
             film.reflectance_tile(chunks.level, cosines, thicknesses, &mut reflectance);
             chunk.write(&args.reflectance, &room);

@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::description::Description;
 use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
-use super::job::{Direction, EvalJob, SampleJob, are_uniform, is_above, is_unit};
+use super::job::{Direction, EvalJob, SampleJob, are_uniform, unit};
 use super::kernel::Kernel;
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
 use super::precision::Precision;
@@ -313,16 +313,13 @@ impl<T: Precision> Bsdf<T> {
         }
     }
 
-    /// The direction, if its length is 1 to within 1e-3 and it is on a side that light reaches.
+    /// The direction with unit length, if its length is 1 to within 1e-3 and it is on a side that light reaches.
     #[inline(always)]
     fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
-        let w = Vec3::from_array(w.into());
-        let is_valid = if self.is_two_sided {
-            is_unit(w) && w.z != T::new(0.0)
-        } else {
-            is_above(w)
-        };
-        is_valid.then_some(w)
+        let (w, is_accepted) = unit(Vec3::from_array(w.into()));
+        let zero = T::new(0.0);
+        let is_seen = w.z > zero || self.is_two_sided && w.z < zero;
+        (is_accepted && is_seen).then_some(w)
     }
 }
 
