@@ -20,6 +20,14 @@ constexpr Bits flags = 0x3F, masks = 0x1F80;
 inline Bits read() { return _mm_getcsr(); }
 inline void write(Bits bits) { _mm_setcsr(bits); }
 inline Bits trapping(Bits bits) { return bits & ~(masks | flags); }
+inline bool is_trapping(Bits bits) { return (bits & masks) != masks; }
+// The C library's functions unmask traps in the x87 unit, too, where they are the lowest six bits of its word.
+inline void unmask_x87(bool unmask) {
+    std::uint16_t word;
+    __asm__ volatile("fnstcw %0" : "=m"(word));
+    word = static_cast<std::uint16_t>(unmask ? word & ~0x3F : word | 0x3F);
+    __asm__ volatile("fnclex\n\tfldcw %0" ::"m"(word));
+}
 
 #elif defined(__aarch64__)
 
@@ -40,14 +48,22 @@ inline void write(Bits bits) {
     __asm__ volatile("msr fpcr, %0" ::"r"(bits & 0xFFFFFFFF) : "memory");
 }
 inline Bits trapping(Bits bits) { return (bits & ~flags) | 0x9F00; }
+inline bool is_trapping(Bits bits) { return bits & 0x9F00; }
+inline void unmask_x87(bool) {}
 
 #endif
 
-// Sets the register for as long as it lives.
+// Sets the register for as long as it lives, as feenableexcept() and fesetround() do.
 class Scope {
 public:
-    explicit Scope(Bits bits) : saved_(read()) { write(bits); }
-    ~Scope() { write(saved_); }
+    explicit Scope(Bits bits) : saved_(read()) {
+        if (is_trapping(bits)) unmask_x87(true);
+        write(bits);
+    }
+    ~Scope() {
+        write(saved_);
+        unmask_x87(false);
+    }
     Scope(const Scope &) = delete;
     Scope &operator=(const Scope &) = delete;
 

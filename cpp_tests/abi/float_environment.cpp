@@ -137,7 +137,7 @@ struct Batch {
 };
 
 struct Mode {
-    const char *name;
+    std::string name;
     Bits bits;
 };
 
@@ -157,13 +157,14 @@ std::vector<Mode> modes(Bits beside = 0) {
 std::vector<pellicle::FilmBuilder> film_builders() {
     using pellicle::FilmBuilder;
     using pellicle::Medium;
-    return {FilmBuilder("BK7").layer("TiO2", 0, 400).transmittance(),
-            FilmBuilder(Medium::constant(1.5f)).layer(Medium::constant(1.9f, 0.01f), 0, 400).transmittance(),
-            FilmBuilder("Au").transmittance(),
-            FilmBuilder(Medium::constant(1.5f)).layer("MgF2", 0, 400).transmittance().method("harmonics").tolerance(0.3f),
-            FilmBuilder(Medium::constant(1.5f)).layer("MgF2", 0, 400).transmittance().method("bands").tolerance(0.05f),
-            FilmBuilder(Medium::constant(1.5f)).layer("MgF2", 0, 400).transmittance().method("series"),
-            FilmBuilder(Medium::constant(1.33f)).layer(Medium::constant(1.5f), 0, 400).transmittance().method("reference")};
+    const auto glass = [] { return FilmBuilder(Medium::constant(1.5f)); };
+    const auto coated = [&] { return glass().layer(Medium::constant(1.38f), 0, 400); };
+    return {FilmBuilder("Au").tolerance(0.01f),
+            glass().layer(Medium::constant(1.9f, 0.01f), 0, 100).tolerance(0.01f).transmittance(),
+            coated().method("harmonics").tolerance(0.3f),
+            coated().method("bands").tolerance(0.05f),
+            coated().transmittance().method("series"),
+            coated().transmittance().method("reference")};
 }
 
 const float cosines[] = {0.0f, 1e-45f, 1e-40f, 1e-20f, 0.1f, 0.7f, 1.0f, 1.5f, -1.0f, support::infinity,
@@ -240,8 +241,8 @@ TEST_CASE("float environment: results are the same under every rounding and with
                 CHECK_EQ(differences(found, expected), 0u);
                 CHECK(batch == expected_batch);
                 CHECK_EQ(after & ~float_control::flags, mode.bits);
-                // The flags too, where the register had to be set.
-                if (mode.bits != modes(beside)[0].bits) CHECK_EQ(after, mode.bits);
+                // Who looks for the origin of an exception finds no flag of the library's.
+                if (float_control::is_trapping(mode.bits)) CHECK_EQ(after, mode.bits);
             }
         }
     }
@@ -274,12 +275,59 @@ TEST_CASE("float environment: a BSDF created under any rounding, trap or flush-t
     }
 }
 
+// Blender's --debug-fpe does this. Single calls do not read MXCSR, which is slow on some processors; they know from
+// their handle that traps were unmasked when it was made.
+TEST_CASE("float environment: traps unmasked in one unit alone, before anything is created, do not fire") {
+    const Bits plain = float_control::read() & ~float_control::flags;
+    const auto film_builder = pellicle::FilmBuilder(pellicle::Medium::constant(1.5f))
+                                  .layer(pellicle::Medium::constant(1.9f, 0.01f), 0, 100)
+                                  .tolerance(0.01f)
+                                  .transmittance();
+    const pellicle::Film expected_film = film_builder.create();
+    std::vector<float> expected_colors(film_calls * film_numbers), colors = expected_colors;
+    CHECK_EQ(call_all(expected_film.raw(), expected_colors), 0);
+    pellicle::Film film;
+    {
+        const Scope scope(plain);
+        float_control::write(float_control::trapping(plain));
+        const PellicleStatus status = film_builder.create(film);
+        const int failures = call_all(film.raw(), colors);
+        float_control::write(plain);
+        REQUIRE_EQ(status, PELLICLE_OK);
+        CHECK_EQ(failures, 0);
+    }
+    CHECK_EQ(differences(colors, expected_colors), 0u);
+    for (const support::Model &model : support::models_with_and_without_film()) {
+        CAPTURE(std::string(model.info.name));
+        const support::Varying subject(model);
+        std::vector<Inputs> inputs = random_inputs(subject, 50);
+        add_hard_inputs(inputs);
+        std::vector<float> expected = room_for(inputs), found = room_for(inputs);
+        CHECK_EQ(call_all(subject.bsdf(), inputs, expected), 0);
+        const support::Varying created(model, [&](const pellicle::BsdfBuilder &builder) {
+            pellicle::Bsdf bsdf;
+            float_control::write(float_control::trapping(plain));
+            const PellicleStatus status = builder.create(bsdf);
+            float_control::write(plain);
+            return status == PELLICLE_OK ? std::move(bsdf) : pellicle::Bsdf();
+        });
+        float_control::write(float_control::trapping(plain));
+        const int failures = call_all(created.bsdf(), inputs, found);
+        const Bits after = float_control::read();
+        float_control::write(plain);
+        CHECK_EQ(failures, 0);
+        CHECK_EQ(after, float_control::trapping(plain));
+        CHECK_EQ(differences(found, expected), 0u);
+    }
+}
+
 TEST_CASE("float environment: films are the same, created and called under every rounding and with every trap") {
     std::vector<float> expected(film_calls * film_numbers), found = expected;
     for (const pellicle::FilmBuilder &builder : film_builders()) {
         const pellicle::Film plain = builder.create();
         CAPTURE(std::string(plain.plan().method));
-        CHECK_EQ(call_all(plain.raw(), expected), 0);
+        // Films without transmittance refuse the base's side.
+        const int refusals = call_all(plain.raw(), expected);
         for (const Mode &mode : modes()) {
             CAPTURE(mode.name);
             pellicle::Film created;
@@ -294,11 +342,11 @@ TEST_CASE("float environment: films are the same, created and called under every
                 after = float_control::read();
             }
             REQUIRE_EQ(status, PELLICLE_OK);
-            CHECK_EQ(failures, 0);
+            CHECK_EQ(failures, refusals);
             CHECK_EQ(differences(found, expected), 0u);
             CHECK_EQ(after_creation & ~float_control::flags, mode.bits);
             CHECK_EQ(after & ~float_control::flags, mode.bits);
-            CHECK_EQ(call_all(created.raw(), found), 0);
+            CHECK_EQ(call_all(created.raw(), found), refusals);
             CHECK_EQ(differences(found, expected), 0u);
         }
     }
@@ -371,17 +419,17 @@ TEST_CASE("float environment: flush-to-zero and denormals-are-zero do not change
     for (const pellicle::FilmBuilder &builder : film_builders()) {
         const pellicle::Film plain = builder.create();
         CAPTURE(std::string(plain.plan().method));
-        CHECK_EQ(call_all(plain.raw(), expected), 0);
+        const int refusals = call_all(plain.raw(), expected);
         pellicle::Film made;
         PellicleStatus status;
         {
             const Scope scope(flushing);
             status = builder.create(made);
-            CHECK_EQ(call_all(plain.raw(), found), 0);
+            CHECK_EQ(call_all(plain.raw(), found), refusals);
         }
         REQUIRE_EQ(status, PELLICLE_OK);
         for (std::size_t i = 0; i < expected.size(); ++i) CHECK_LE(std::fabs(found[i] - expected[i]), 1e-6f);
-        CHECK_EQ(call_all(made.raw(), found), 0);
+        CHECK_EQ(call_all(made.raw(), found), refusals);
         CHECK_EQ(differences(found, expected), 0u);
     }
 }
