@@ -1,6 +1,6 @@
 //! Batches of a BSDF: evaluation and sampling for the elements of strided arrays.
 
-use super::chunk::{Chunks, Column};
+use super::chunk::{CHUNK, Chunks, Column, SAMPLE_CHUNK};
 use super::varying::{MAX_FLOATS, Room, VaryingViews};
 use super::view::{ConstView, Span, View, is_apart};
 use crate::bsdf::{Bsdf, Call, EvalJob, SampleJob};
@@ -90,11 +90,11 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
         args.pdf_reverse.target(1, count),
     ];
     let is_direct = are_apart(&inputs, &varying, &outputs, count);
-    let chunks = Chunks::new(count, is_direct, level).of_at_most(varying.longest_chunk());
+    let longest = varying.longest_chunk(CHUNK);
+    let chunks = Chunks::new(count, longest, is_direct, level);
     let lobes = bsdf.wanted_lobes(&args.call);
-    let (mut wo, mut wi) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
-    let mut value = [Column::EMPTY; 3];
-    let (mut pdf, mut pdf_reverse) = ([Column::EMPTY], [Column::EMPTY]);
+    let [mut wo, mut wi, mut value] = [[Column::<f32, CHUNK>::EMPTY; 3]; 3];
+    let [mut pdf, mut pdf_reverse] = [[Column::<f32, CHUNK>::EMPTY]; 2];
     let mut numbers = Room::EMPTY;
     for chunk in chunks.iter() {
         // SAFETY: the caller vouches for every address of every view; an array that is used in place
@@ -184,12 +184,12 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(),
         args.lobe_probability.target(1, count),
     ];
     let is_direct = are_apart(&inputs, &varying, &outputs, count);
-    let chunks = Chunks::new(count, is_direct, level).of_at_most(varying.longest_chunk());
+    let longest = varying.longest_chunk(SAMPLE_CHUNK);
+    let chunks = Chunks::new(count, longest, is_direct, level);
     let lobes = bsdf.wanted_lobes(&args.call);
-    let (mut wo, mut u) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
-    let (mut wi, mut weight) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
-    let [mut pdf, mut eta, mut lobe, mut probability] = [[Column::EMPTY]; 4];
-    let [mut flags, mut numbers_of_lobes] = [[Column::EMPTY]; 2];
+    let [mut wo, mut u, mut wi, mut weight] = [[Column::<f32, SAMPLE_CHUNK>::EMPTY; 3]; 4];
+    let [mut pdf, mut eta, mut lobe, mut probability] = [[Column::<f32, SAMPLE_CHUNK>::EMPTY]; 4];
+    let [mut flags, mut numbers_of_lobes] = [[Column::<u32, SAMPLE_CHUNK>::EMPTY]; 2];
     let mut numbers = Room::EMPTY;
     for chunk in chunks.iter() {
         // SAFETY: as in `eval`.

@@ -1,6 +1,6 @@
 //! The varying parameters of a batch.
 
-use super::chunk::{CHUNK, Chunk, LANES};
+use super::chunk::{Chunk, LANES};
 use super::view::{ConstView, Span, check_reach};
 use crate::bsdf::{Bsdf, MAX_VARYING};
 use crate::error::Error;
@@ -10,10 +10,10 @@ use std::mem::MaybeUninit;
 pub(super) const MAX_FLOATS: usize = 3 * MAX_VARYING;
 
 /// The numbers that a [`Room`] holds.
-const NUMBERS: usize = 8 * CHUNK;
+const NUMBERS: usize = 2048;
 
-/// A buffer for the components of a chunk's elements: eight in whole chunks, more in shorter ones, because callers
-/// may have small stacks. It is not initialised before it is used.
+/// A buffer for the components of a chunk's elements. With many components chunks are shorter, because callers may
+/// have small stacks. It is not initialised before it is used.
 #[repr(C, align(64))]
 pub(super) struct Room([MaybeUninit<f32>; NUMBERS]);
 
@@ -48,14 +48,13 @@ impl<'a> VaryingViews<'a> {
         Ok(Self { bsdf, views })
     }
 
-    /// The greatest number of elements whose components a [`Room`] holds, a multiple of [`LANES`].
-    pub fn longest_chunk(&self) -> usize {
-        let components: usize = if self.views.is_empty() {
-            1
-        } else {
-            self.bsdf.varying_floats().max(1)
-        };
-        CHUNK.min(NUMBERS / components / LANES * LANES)
+    /// The number of elements of a chunk: `most`, or fewer if a [`Room`] does not hold their components; a multiple
+    /// of [`LANES`].
+    pub fn longest_chunk(&self, most: usize) -> usize {
+        if self.views.is_empty() {
+            return most;
+        }
+        most.min(NUMBERS / self.bsdf.varying_floats() / LANES * LANES)
     }
 
     /// The address range of each view.

@@ -162,6 +162,7 @@ impl<T: Precision> Bsdf<T> {
     }
 
     /// f(wo, wi) |wi.z|.
+    #[inline(always)]
     pub fn eval(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>, call: &Call) -> Rgb<T> {
         self.at_pair(wo, wi, varying, call, |wo, wi, varying, lobes| {
             self.kernel.eval(wo, wi, varying, lobes)
@@ -235,6 +236,7 @@ impl<T: Precision> Bsdf<T> {
     }
 
     /// Samples a direction from three uniform numbers in [0, 1). The first one chooses the lobe.
+    #[inline(always)]
     pub fn sample(
         &self,
         wo: T::Vector,

@@ -84,14 +84,13 @@ const AS_IT_IS: f64 = 1e-6;
 #[inline(always)]
 pub fn unit<T: Real>(w: Vec3<T>) -> (Vec3<T>, T::Mask) {
     let excess = (w.length_squared() - T::new(1.0)).abs();
+    let is_unit = excess.le(T::new(AS_IT_IS));
+    if !(!is_unit).any() {
+        return (w, is_unit);
+    }
     let is_accepted = excess.le(T::new(ACCEPTED));
-    let is_rough = is_accepted & excess.gt(T::new(AS_IT_IS));
-    let unit = if is_rough.any() {
-        Vec3::select(is_rough, w.normalized(), w)
-    } else {
-        w
-    };
-    (unit, is_accepted)
+    let is_rough = is_accepted & !is_unit;
+    (Vec3::select(is_rough, w.normalized(), w), is_accepted)
 }
 
 /// The direction with unit length, and a mask of the lanes in which it is accepted, see [`unit`], and has z > 0.
