@@ -345,7 +345,6 @@ pub fn sample<L: Lane, S: Surface<L>>(
         }
     }
     // An evaluation of this direction normalises it likewise, and must find the same density.
-    let (wi, _) = unit(wi);
     let is_above = wi.z.gt(zero);
     // Lanes without a direction evaluate wo itself, which is valid, and are set to 0 below.
     let wi = Vec3::select(is_above, wi, wo);
