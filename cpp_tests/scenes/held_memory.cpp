@@ -69,8 +69,8 @@ void __wrap_free(void *block) {
 HeldMemory heldMemory() { return {blocks, bytes}; }
 
 void leak(int size) {
-    if (size > 0) {
-        static void *volatile kept;
-        kept = std::malloc(static_cast<std::size_t>(size));
-    }
+    // A volatile pointer, because the compiler may drop an allocation that nothing uses.
+    static void *volatile latest;
+    if (size > 0) latest = std::malloc(static_cast<std::size_t>(size));
+    static_cast<void>(latest);
 }

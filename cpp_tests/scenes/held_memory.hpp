@@ -1,6 +1,6 @@
-// What pellicle's static library holds of memory. The program must be linked with the options of held_memory.cmake,
-// which send the allocations of everything linked statically through counters; the shared libraries (OpenImageIO,
-// Embree and its threads, the C++ library and with it every `new`) keep the C library's functions.
+// What pellicle's static library holds of memory. The linker's option --wrap sends the allocations of everything
+// linked statically through counters; the shared libraries (OpenImageIO, Embree and its threads, the C++ library and
+// with it every `new`) keep the C library's functions.
 #pragma once
 
 struct HeldMemory {
