@@ -66,6 +66,7 @@ pub struct Varying<'a, T: Precision = f32> {
 ///
 /// Invalid input gives 0: NaN or infinity, a `varying` of a wrong length, a varying direction with z <= 0,
 /// random numbers outside [0, 1), directions whose length is not 1 to within 1e-3, and directions with z <= 0.
+/// Other directions are normalised unless they are unit to rounding.
 /// A BSDF with TRANSMISSION among its [`Bsdf::flags`] also takes directions with z < 0, on the side of the base.
 pub struct Bsdf<T: Precision = f32> {
     info: &'static ModelInfo,

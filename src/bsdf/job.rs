@@ -345,6 +345,7 @@ pub fn sample<L: Lane, S: Surface<L>>(
         }
     }
     // An evaluation of this direction normalises it likewise, and must find the same density.
+    let wi = if S::SAMPLES_ARE_UNIT { wi } else { unit(wi).0 };
     let is_above = wi.z.gt(zero);
     // Lanes without a direction evaluate wo itself, which is valid, and are set to 0 below.
     let wi = Vec3::select(is_above, wi, wo);

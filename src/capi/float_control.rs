@@ -17,6 +17,21 @@ pub(super) fn under_default<R>(body: &mut dyn FnMut() -> R) -> R {
     body()
 }
 
+/// Calls `f` with upward rounding and tells whether the state is the same afterwards, but for raised flags. Nothing
+/// in `f` may depend on the rounding but calls of entry points.
+#[cfg(all(test, target_arch = "x86_64", not(miri)))]
+pub(super) fn is_kept_by(f: impl FnOnce()) -> bool {
+    const FLAGS: register::Bits = 0x3F;
+    const UPWARD: register::Bits = 0x4000;
+    let before = register::read() | UPWARD;
+    let restored = Restored(register::read());
+    register::write(before);
+    f();
+    let after = register::read();
+    drop(restored);
+    after & !FLAGS == before & !FLAGS
+}
+
 /// Whether traps were unmasked where a handle was made. Hosts that unmask them do so when they start.
 #[derive(Clone, Copy)]
 pub(super) struct Traps(bool);
@@ -134,13 +149,18 @@ mod register {
 
     #[inline(always)]
     pub fn read() -> Bits {
-        let (control, status);
-        // SAFETY: reads registers that every program may read.
-        unsafe {
-            asm!("mrs {}, fpcr", out(reg) control, options(nomem, nostack, preserves_flags));
-            asm!("mrs {}, fpsr", out(reg) status, options(nomem, nostack, preserves_flags));
-        }
-        [control, status]
+        let status;
+        // SAFETY: reads a register that every program may read.
+        unsafe { asm!("mrs {}, fpsr", out(reg) status, options(nomem, nostack, preserves_flags)) };
+        [read_control(), status]
+    }
+
+    #[inline(always)]
+    fn read_control() -> u64 {
+        let control;
+        // SAFETY: reads a register that every program may read.
+        unsafe { asm!("mrs {}, fpcr", out(reg) control, options(nomem, nostack, preserves_flags)) };
+        control
     }
 
     #[inline(always)]
@@ -160,7 +180,7 @@ mod register {
 
     #[inline(always)]
     pub fn looks_default(_has_traps: bool) -> bool {
-        is_default(read())
+        is_default([read_control(), 0])
     }
 
     /// The default, with flush-to-zero as in `bits`.
