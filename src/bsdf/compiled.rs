@@ -2,7 +2,7 @@
 
 use super::call::Transport;
 use super::job::{Direction, EvalJob, SampleJob, choices, eval_pdf, sample, with_overrides};
-use super::kernel::{Kernel, sample_each};
+use super::kernel::{Kernel, eval_each, sample_each};
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
 use super::precision::Precision;
 use super::quadrature;
@@ -98,6 +98,29 @@ impl<C> LobeKernel<C> {
         )
     }
 
+    /// [`LobeKernel::with_varied`] in one copy for all calls that take long by themselves. `f` is not called if a
+    /// value is unusable.
+    #[inline(never)]
+    fn with_varied_slowly<T: Precision>(
+        &self,
+        varying: &VaryingValues<T>,
+        lobes: LobeSet,
+        f: &mut dyn FnMut(&C::Surface<'_, T>),
+    ) where
+        C: Compiled<T>,
+    {
+        self.with_varied(varying, lobes, f);
+    }
+
+    /// The kernel for loops without lanes, which run at the level "scalar" alone. With the formulas of every
+    /// model inlined once more these loops were a twentieth of the library.
+    fn behind_pointer<T: Precision>(&self) -> &dyn Kernel<T>
+    where
+        C: Compiled<T>,
+    {
+        self
+    }
+
     /// The surface with the values of the description, ready for evaluation.
     #[inline(always)]
     fn settled<T: Precision>(&self) -> C::Surface<'_, T>
@@ -170,10 +193,7 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
 
     fn eval_job(&self, level: Level, job: &mut EvalJob<T>) {
         if level.is_scalar() {
-            let (varying, lobes) = (job.varying, job.lobes);
-            return job.run_each(|element, wo, wi| {
-                self.eval_pdf(wo, wi, &varying.element(element), lobes)
-            });
+            return eval_each(self.behind_pointer(), job);
         }
         T::dispatch(
             level,
@@ -186,7 +206,7 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
 
     fn sample_job(&self, level: Level, job: &mut SampleJob<T>) {
         if level.is_scalar() {
-            return sample_each(self, job);
+            return sample_each(self.behind_pointer(), job);
         }
         T::dispatch(
             level,
@@ -198,11 +218,12 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
     }
 
     fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T> {
-        self.with_varied(varying, lobes, |surface| {
+        let mut albedo = [T::new(0.0); 3];
+        self.with_varied_slowly(varying, lobes, &mut |surface| {
             let closed = surface.closed_albedo();
-            closed.unwrap_or_else(|| quadrature::albedo(surface, lobes, wo))
-        })
-        .unwrap_or([T::new(0.0); 3])
+            albedo = closed.unwrap_or_else(|| quadrature::albedo(surface, lobes, wo));
+        });
+        albedo
     }
 
     fn lobes(
@@ -211,12 +232,13 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         wi: Vec3<T>,
         varying: &VaryingValues<T>,
     ) -> (PerLobe<T>, PerLobe<T>) {
-        let none = [T::new(0.0); MAX_LOBES];
-        self.with_varied(varying, LobeSet::ALL, |surface| {
+        let mut found = [[T::new(0.0); MAX_LOBES]; 2];
+        self.with_varied_slowly(varying, LobeSet::ALL, &mut |surface| {
             let (_, densities) = quadrature::eval_outlined(surface, wo, wi);
-            (choices(surface, wo, LobeSet::ALL), densities)
-        })
-        .unwrap_or((none, none))
+            found = [choices(surface, wo, LobeSet::ALL), densities];
+        });
+        let [selection, densities] = found;
+        (selection, densities)
     }
 
     fn plan(&self) -> Vec<&'static str> {

@@ -46,8 +46,7 @@ pub trait Kernel<T: Lane<Scalar = T, Mask = bool>>: Send + Sync {
 
     /// Values and densities of many elements. They are the bits of [`Kernel::eval_pdf`] at every level.
     fn eval_job(&self, _level: Level, job: &mut EvalJob<T>) {
-        let (varying, lobes) = (job.varying, job.lobes);
-        job.run_each(|element, wo, wi| self.eval_pdf(wo, wi, &varying.element(element), lobes));
+        eval_each(self, job);
     }
 
     /// Samples of many elements. They are the bits of [`Kernel::sample`] at every level.
@@ -74,6 +73,16 @@ pub trait Kernel<T: Lane<Scalar = T, Mask = bool>>: Send + Sync {
 
     /// The terms that are left out and the formulas that are shorter for these values, in words.
     fn plan(&self) -> Vec<&'static str>;
+}
+
+/// Evaluates a job element by element.
+pub fn eval_each<T, K>(kernel: &K, job: &mut EvalJob<T>)
+where
+    T: Lane<Scalar = T, Mask = bool>,
+    K: Kernel<T> + ?Sized,
+{
+    let (varying, lobes) = (job.varying, job.lobes);
+    job.run_each(|element, wo, wi| kernel.eval_pdf(wo, wi, &varying.element(element), lobes));
 }
 
 /// Samples a job element by element.

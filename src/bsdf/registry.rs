@@ -10,6 +10,22 @@ use crate::error::Error;
 /// leaves them out of programs that never use them.
 macro_rules! registry {
     ($($model:ty),* $(,)?) => {
+        #[cfg(not(test))]
+        lists![$($model),*];
+        // Unit tests type-check every model and compile the two that they call, which takes a third of the time.
+        #[cfg(test)]
+        lists![super::models::lambert::Lambert, super::models::phong::Phong];
+        #[cfg(test)]
+        #[allow(dead_code)]
+        fn all() -> [RegisteredModel; [$(stringify!($model)),*].len()] {
+            $(let _: Prepare<f64> = <$model>::prepare::<f64>;)*
+            [$(RegisteredModel::of::<$model>()),*]
+        }
+    };
+}
+
+macro_rules! lists {
+    ($($model:ty),*) => {
         static MODELS: [RegisteredModel; [$(stringify!($model)),*].len()] =
             [$(RegisteredModel::of::<$model>()),*];
         static ORACLES: [Prepare<f64>; MODELS.len()] = [$(<$model>::prepare::<f64>),*];

@@ -5,7 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// A complex number re + i im. Waves are written as e^(i (k x - w t)), so that a medium of index eta + i k
 /// with k > 0 absorbs.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Complex<T> {
     /// Real part.
     pub re: T,

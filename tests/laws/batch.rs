@@ -199,6 +199,9 @@ pub fn check_eval(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u64
         batch.planes(),
     );
     let views = varying.views(ranges);
+    let singles: Vec<_> = (0..COUNT)
+        .map(|i| bsdf.evaluate(batch.wo[i], batch.other[i], batch.of(i), &call))
+        .collect();
     for level in Level::all() {
         for with_pdf in [false, true] {
             let mut value = Planes::new(3, |_, _| f32::NAN);
@@ -220,20 +223,17 @@ pub fn check_eval(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u64
             };
             // SAFETY: all views are of arrays of COUNT elements.
             unsafe { eval(&bsdf, &args, level) }.unwrap();
-            for i in 0..COUNT {
-                let single = bsdf.evaluate(batch.wo[i], batch.other[i], batch.of(i), &call);
-                let what = format!(
-                    "{} {description:?} {:?} {:?} {:?}",
-                    level.name(),
-                    batch.wo[i],
-                    batch.other[i],
-                    batch.varying[i]
-                );
-                assert_eq!(bits(value.get(i)), bits(single.value), "{what} {single:?}");
+            for (i, single) in singles.iter().enumerate() {
+                let what = || {
+                    let (wo, wi, varying) = (batch.wo[i], batch.other[i], &batch.varying[i]);
+                    let level = level.name();
+                    format!("{level} {description:?} {wo:?} {wi:?} {varying:?} {single:?}")
+                };
+                assert_eq!(bits(value.get(i)), bits(single.value), "{}", what());
                 if with_pdf {
                     let found = [pdf.get::<1>(i)[0], reverse.get::<1>(i)[0]];
                     let expected = [single.pdf, single.pdf_reverse];
-                    assert_eq!(bits(found), bits(expected), "{what} {single:?}");
+                    assert_eq!(bits(found), bits(expected), "{}", what());
                 }
             }
         }
@@ -250,6 +250,9 @@ pub fn check_sample(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u
         batch.planes(),
     );
     let views = varying.views(ranges);
+    let singles: Vec<_> = (0..COUNT)
+        .map(|i| bsdf.sample(batch.wo[i], batch.other[i], batch.of(i), &call))
+        .collect();
     for level in Level::all() {
         let [mut wi, mut weight] = [(); 2].map(|()| Planes::new(3, |_, _| f32::NAN));
         let [mut pdf, mut eta, mut probability] = [(); 3].map(|()| Planes::new(1, |_, _| f32::NAN));
@@ -270,16 +273,16 @@ pub fn check_sample(description: &Description, ranges: &[Vec<[f32; 2]>], seed: u
         };
         // SAFETY: all views are of arrays of COUNT elements.
         unsafe { sample(&bsdf, &args, level) }.unwrap();
-        for i in 0..COUNT {
-            let single = bsdf.sample(batch.wo[i], batch.other[i], batch.of(i), &call);
-            let what = format!("{} {description:?} {single:?}", level.name());
-            assert_eq!(bits(wi.get(i)), bits(single.wi.to_array()), "{what}");
-            assert_eq!(bits(weight.get(i)), bits(single.weight), "{what}");
+        for (i, single) in singles.iter().enumerate() {
+            let what = || format!("{} {description:?} {single:?}", level.name());
+            assert_eq!(bits(wi.get(i)), bits(single.wi.to_array()), "{}", what());
+            assert_eq!(bits(weight.get(i)), bits(single.weight), "{}", what());
             let found = [&pdf, &eta, &probability].map(|plane| plane.get::<1>(i)[0]);
             let expected = [single.pdf, single.eta, single.lobe_probability];
-            assert_eq!(bits(found), bits(expected), "{what}");
+            assert_eq!(bits(found), bits(expected), "{}", what());
             let found = [flags.get::<1>(i)[0], lobe.get::<1>(i)[0]];
-            assert_eq!(found, [single.flags.0, single.lobe as u32], "{what}");
+            let expected = [single.flags.0, single.lobe as u32];
+            assert_eq!(found, expected, "{}", what());
         }
     }
 }

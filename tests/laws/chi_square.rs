@@ -55,6 +55,9 @@ fn observed(bsdf: &Bsdf, wo: DVec3, seed: u64) -> Observed {
     Observed { counts, places }
 }
 
+/// The error of a cell's probability: less than half a sample, where cells that are compared expect 5 and more.
+const CELL_ERROR: f64 = 4e-6;
+
 /// Integrals of probability times density of each lobe. The places of samples tell where to look closely.
 fn expected(bsdf: &Bsdf<f64>, wo: DVec3, places: &[Vec<[f64; 2]>]) -> Histogram {
     let density = |wi: DVec3| {
@@ -65,7 +68,7 @@ fn expected(bsdf: &Bsdf<f64>, wo: DVec3, places: &[Vec<[f64; 2]>]) -> Histogram 
     let mut missing = 1.0;
     for (i, j) in (0..ROWS * COLUMNS).map(|n| (n / COLUMNS, n % COLUMNS)) {
         let cell = Patch::cell(i, j, ROWS, COLUMNS);
-        let share = cell.integrate_about(&density, 1e-6, 9, &places[i * COLUMNS + j]);
+        let share = cell.integrate_about(&density, CELL_ERROR, 9, &places[i * COLUMNS + j]);
         missing -= share.iter().sum::<f64>();
         cells.push(share.map(|share| share * SAMPLES as f64));
     }

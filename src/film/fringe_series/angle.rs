@@ -2,7 +2,7 @@
 
 use super::terms::{BeamTerms, StackMedia, safe_inverse};
 use crate::film::colors::Colors;
-use crate::num::{F64x4, Mask, PI, Real};
+use crate::num::{F64x4, Mask, PI, Real, widest};
 use crate::optics::Complex;
 use crate::optics::stack::{P, S};
 
@@ -34,7 +34,7 @@ pub(super) struct Truncation {
 }
 
 /// A stack at four wavenumbers and one angle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct StackAtAngle {
     terms: [BeamTerms; 2],
     /// The terms for a summed layer that does not absorb.
@@ -45,7 +45,7 @@ pub(super) struct StackAtAngle {
 }
 
 /// [`BeamTerms`] with the damping of a thickness.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct DampedTerms {
     top: Complex<F64x4>,
     g: Complex<F64x4>,
@@ -69,9 +69,32 @@ pub(super) struct ChannelSums {
 }
 
 impl ChannelSums {
+    /// Adds what [`ChannelSums::add`] does for every entry of `wavenumbers`, each with its own stack or all with
+    /// the only one.
+    #[inline(never)]
+    pub(super) fn add_all(
+        &mut self,
+        stacks: &[StackAtAngle],
+        wavenumbers: &[Wavenumbers],
+        thickness_nm: f64,
+        truncation: Truncation,
+    ) {
+        widest(
+            #[inline(always)]
+            || {
+                let mut sums = *self;
+                for (i, wavenumbers) in wavenumbers.iter().enumerate() {
+                    let stack = stacks.get(i).unwrap_or(&stacks[0]);
+                    sums.add(stack, wavenumbers, thickness_nm, truncation);
+                }
+                *self = sums;
+            },
+        );
+    }
+
     /// Adds the reflectance and transmittance at four wavenumbers and a thickness of the summed layer.
     #[inline(always)]
-    pub(super) fn add(
+    fn add(
         &mut self,
         stack: &StackAtAngle,
         wavenumbers: &Wavenumbers,

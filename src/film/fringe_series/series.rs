@@ -15,6 +15,8 @@ const MOST_GROUP: f64 = 1.7;
 /// Up to the first path the harmonics are not truncated, from the second on they are: a layer between
 /// lossless neighbours first resonates at half a wavelength, 190 nm.
 const FRINGELESS_NM: [f64; 2] = [90.0, 180.0];
+/// The number of stacks that a single look-up has in memory at a time.
+const BLOCK: usize = 4;
 /// Smaller cosines are replaced by this one: there a stack either mirrors or is no stack.
 const LEAST_COSINE: f64 = 1e-9;
 
@@ -81,17 +83,10 @@ impl SeriesAtAngle<'_> {
     pub(in crate::film) fn at(&self, thickness_nm: f64) -> Colors<f64> {
         let thickness_nm = self.series.fixed_nm.unwrap_or(thickness_nm);
         let truncation = self.series.truncation(self.path * thickness_nm);
-        widest(
-            #[inline(always)]
-            || {
-                let mut sums = ChannelSums::default();
-                for (i, wavenumbers) in self.series.wavenumbers.iter().enumerate() {
-                    let stack = self.stacks.get(i).unwrap_or(&self.stacks[0]);
-                    sums.add(stack, wavenumbers, thickness_nm, truncation);
-                }
-                sums.colors()
-            },
-        )
+        let mut sums = ChannelSums::default();
+        let wavenumbers = &self.series.wavenumbers;
+        sums.add_all(&self.stacks, wavenumbers, thickness_nm, truncation);
+        sums.colors()
     }
 }
 
@@ -158,23 +153,23 @@ impl FringeSeries {
     /// The colours at one angle and thickness (nm, of the layer that varies; ignored if none does), without
     /// allocation. `cos_theta` is measured in the half-space that the light comes from.
     pub(in crate::film) fn at(&self, side: Side, cos_theta: f64, thickness_nm: f64) -> Colors<f64> {
-        widest(
-            #[inline(always)]
-            || {
-                let thickness_nm = self.fixed_nm.unwrap_or(thickness_nm);
-                let cos_theta = cos_theta.max(LEAST_COSINE);
-                let mut stack = self.stack(0, side, cos_theta);
-                let truncation = self.truncation(self.path(side, cos_theta, &stack) * thickness_nm);
-                let mut sums = ChannelSums::default();
-                for (part, wavenumbers) in self.wavenumbers.iter().enumerate() {
-                    if part > 0 && !self.is_uniform {
-                        stack = self.stack(part, side, cos_theta);
-                    }
-                    sums.add(&stack, wavenumbers, thickness_nm, truncation);
-                }
-                sums.colors()
-            },
-        )
+        let thickness_nm = self.fixed_nm.unwrap_or(thickness_nm);
+        let cos_theta = cos_theta.max(LEAST_COSINE);
+        let truncation = self.truncation(self.path(side, cos_theta) * thickness_nm);
+        let mut sums = ChannelSums::default();
+        if self.is_uniform {
+            let mut stack = [StackAtAngle::default()];
+            self.fill(&mut stack, 0, side, cos_theta);
+            sums.add_all(&stack, &self.wavenumbers, thickness_nm, truncation);
+            return sums.colors();
+        }
+        let mut stacks = [StackAtAngle::default(); BLOCK];
+        for (block, wavenumbers) in self.wavenumbers.chunks(BLOCK).enumerate() {
+            let stacks = &mut stacks[..wavenumbers.len()];
+            self.fill(stacks, block * BLOCK, side, cos_theta);
+            sums.add_all(stacks, wavenumbers, thickness_nm, truncation);
+        }
+        sums.colors()
     }
 
     /// The series at an angle, for any thickness. `cos_theta` is measured in the half-space that the light
@@ -186,20 +181,27 @@ impl FringeSeries {
         } else {
             self.wavenumbers.len()
         };
-        let mut stacks = Vec::with_capacity(count);
+        let mut stacks = vec![StackAtAngle::default(); count];
+        self.fill(&mut stacks, 0, side, cos_theta);
+        SeriesAtAngle {
+            series: self,
+            path: self.path(side, cos_theta),
+            stacks,
+        }
+    }
+
+    /// Fills in the stacks of entries of `wavenumbers` from `first` on. Its loop is compiled here alone, because
+    /// it is long: in each of its callers it would be 50 kB of the library.
+    #[inline(never)]
+    fn fill(&self, stacks: &mut [StackAtAngle], first: usize, side: Side, cos_theta: f64) {
         widest(
             #[inline(always)]
             || {
-                for part in 0..count {
-                    stacks.push(self.stack(part, side, cos_theta));
+                for (i, stack) in stacks.iter_mut().enumerate() {
+                    *stack = self.stack(first + i, side, cos_theta);
                 }
             },
         );
-        SeriesAtAngle {
-            series: self,
-            path: self.path(side, cos_theta, &stacks[0]),
-            stacks,
-        }
     }
 
     #[inline(always)]
@@ -218,25 +220,30 @@ impl FringeSeries {
     /// with respect to the wavenumber. In dispersive media it is longer than the path of the phase. The
     /// greatest of the values at both ends and in the middle of the spectrum.
     #[inline(always)]
-    fn path(&self, side: Side, cos_theta: f64, first: &StackAtAngle) -> f64 {
+    fn path(&self, side: Side, cos_theta: f64) -> f64 {
         let Some(layer) = self.summed else {
             return 0.0;
         };
-        if self.is_uniform {
-            return first.round.re.to_array()[0].min(self.most_path);
-        }
         let near = match side {
             Side::Ambient => 0,
             Side::Base => self.ranges.len() + 1,
         };
-        let round = |node: usize| {
+        // Turns of a round trip per wavelength of thickness.
+        let turns = |node: usize| {
             let (part, lane) = (node / F64x4::COUNT, node % F64x4::COUNT);
             let index = |medium: usize| {
                 let index = self.indices[part * (self.ranges.len() + 2) + medium];
                 Complex::new(index.re.to_array()[lane], index.im.to_array()[lane])
             };
             let wave = Incidence::new(index(near).re, cos_theta).wave(index(layer + 1));
-            2.0 * self.wavenumbers[part].sigma.to_array()[lane] * wave.immittance[S].re
+            2.0 * wave.immittance[S].re
+        };
+        if self.is_uniform {
+            return turns(0).min(self.most_path);
+        }
+        let round = |node: usize| {
+            let (part, lane) = (node / F64x4::COUNT, node % F64x4::COUNT);
+            self.wavenumbers[part].sigma.to_array()[lane] * turns(node)
         };
         // At a critical angle within the spectrum the phase has a square root, whose derivative is
         // infinite.

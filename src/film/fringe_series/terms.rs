@@ -18,7 +18,7 @@ pub(super) struct StackMedia<'a> {
 
 /// The amplitudes of the series for one polarisation, without the summed layer's damping: they do not
 /// depend on its thickness.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct BeamTerms {
     /// r_top of [`FringeSeries`](super::series::FringeSeries).
     pub top: Complex<F64x4>,

@@ -156,6 +156,14 @@ impl Linear {
 }
 
 impl Coordinates {
+    /// x at a cosine in [0, 1], for a table over the cosine alone: the formula at d = 0, where f is the cosine.
+    #[inline(always)]
+    pub(in crate::film) fn over_cosine<L: Lane<Scalar = f32>>(&self, cos_theta: L) -> L {
+        let [factor, slope, rest] = [&self.numerator, &self.denominator, &self.rest]
+            .map(|linear| L::splat(f32::channels(linear.constant)[0]));
+        factor * cos_theta / (slope * cos_theta + rest)
+    }
+
     /// x, y and y at a cosine in [0, 1] and a thickness within the range, nm.
     #[inline(always)]
     pub(in crate::film) fn at<L: Lane<Scalar = f32>>(

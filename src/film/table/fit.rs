@@ -16,6 +16,9 @@ pub(in crate::film) type Fitted = (SplineTable, Errors);
 const FOUND: f64 = 0.5;
 /// A table whose error is below this part of the allowed one is made smaller.
 const WASTED: f64 = 0.3;
+/// A film is given up if its error is above this part of the error two sizes before: where values lie closer and
+/// the error does not fall, the colours have a step, and the larger tables would all fail.
+const STALLED: f64 = 0.8;
 /// The number of sizes that are tried.
 const ATTEMPTS: usize = 8;
 
@@ -73,6 +76,7 @@ fn grown(
     let limits = task.limits;
     let allowed = FOUND * limits.tolerance;
     let mut larger_fit: Option<Fitted> = None;
+    let mut before = [f64::INFINITY; 2];
     for _ in 0..ATTEMPTS {
         let [width, height] = counts;
         if width * height > limits.size {
@@ -92,9 +96,10 @@ fn grown(
             larger_fit = Some(fitted);
             continue;
         }
-        if larger_fit.is_some() {
+        if larger_fit.is_some() || max > STALLED * before[0] {
             break;
         }
+        before = [before[1], max];
         // The greatest error is attributed to the worse coordinate, and the other one's is in
         // proportion.
         let share = max / across.max(along).max(f64::MIN_POSITIVE);

@@ -79,13 +79,16 @@ impl SplineTable {
         self.around::<L>(self.position(cos_theta, thickness_nm))
     }
 
-    /// Steps along x, and along y twice; those along y are undefined for a table over the cosine alone.
+    /// Steps along x, and along y twice; along x alone for a table over the cosine alone.
     #[inline(always)]
     pub(in crate::film) fn position<L: Lane<Scalar = f32>>(
         &self,
         cos_theta: L,
         thickness_nm: L,
     ) -> L::Rgb {
+        if self.is_over_cosine() {
+            return self.coordinates.over_cosine(cos_theta).gray();
+        }
         self.coordinates.at(cos_theta, thickness_nm)
     }
 

@@ -9,7 +9,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 pub struct F64x4([f64; F64x4::COUNT]);
 
 /// A mask: one truth value per lane, all bits set or none.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct F64Mask([u64; F64x4::COUNT]);
 
 /// 1.5 * 2^52. Adding it rounds to a whole number, whose integer is then in the lowest bits.
