@@ -69,13 +69,16 @@ impl Patch {
     ) -> [f64; N] {
         let half = |[from, to]: [f64; 2]| (to - from) / 2.0;
         let place = |[from, to]: [f64; 2], x: f64| (from + to) / 2.0 + (to - from) / 2.0 * x;
+        let mut around = [(0.0, 0.0); GAUSS_7.len()];
+        for (around, (y, _)) in around.iter_mut().zip(nodes) {
+            *around = place(self.phi, *y).sin_cos();
+        }
         let mut sum = [0.0; N];
         for (x, weight_z) in nodes {
             let z = place(self.z, *x);
             let radius = (1.0 - z * z).max(0.0).sqrt();
-            for (y, weight_phi) in nodes {
-                let phi = place(self.phi, *y);
-                let value = f(DVec3::new(radius * phi.cos(), radius * phi.sin(), z));
+            for ((sin, cos), (_, weight_phi)) in around.iter().zip(nodes) {
+                let value = f(DVec3::new(radius * cos, radius * sin, z));
                 for c in 0..N {
                     sum[c] += weight_z * weight_phi * value[c];
                 }
