@@ -43,10 +43,11 @@
  *
  * Floating point. Results do not depend on the rounding that the host has set, and unmasked traps do not fire: a
  * call that finds another rounding than to nearest, or unmasked traps, sets the default and restores what was there.
- * That takes 6 to 8 ns for another rounding, 40 to 60 ns for traps, and half a nanosecond where nothing differs (a single
- * call on Zen 4; another 5 ns in all other calls). One exception, on x86-64: single calls see traps that are unmasked in both units, as by feenableexcept(), or that were unmasked in MXCSR when their film or BSDF was
- * created; to unmask them in MXCSR alone later is not supported. Flush-to-zero and denormals-are-zero stay as they
- * are, and results are right under both. Flags of exceptions may be raised; none is raised where traps are unmasked.
+ * That takes 6 to 8 ns for another rounding and 40 to 60 ns for traps. Where nothing differs, a single call takes half
+ * a nanosecond longer, every other call 5 (Zen 4). One exception, on x86-64: single calls see traps that are unmasked
+ * in both units, as by feenableexcept(), or that were unmasked in MXCSR when their film or BSDF was created; to unmask
+ * them in MXCSR alone later is not supported. Flush-to-zero and denormals-are-zero stay as they are, and results are
+ * right under both. Flags of exceptions may be raised; none is raised where traps are unmasked.
  *
  * Batches. Elements are evaluated side by side with the widest of SSE2, AVX2 and AVX-512, or NEON, that
  * the processor has, to the same bits as single calls. Components whose elements lie side by side are
