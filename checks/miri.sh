@@ -7,4 +7,4 @@ export MIRIFLAGS="${MIRIFLAGS:-} -Zmiri-disable-isolation"
 export CARGO_TARGET_DIR="$(target_folder)/miri"
 step cargo +nightly miri test --locked --test interface interpreted::
 step cargo +nightly miri test --locked --lib -- \
-    num::lanes::look_up num::lanes::rgb_sse2 num::lanes::f64x4::tests::each num::spline capi::boundary
+    num::lanes::look_up num::lanes::rgb_lanes num::lanes::f64x4::tests::each num::spline capi::boundary

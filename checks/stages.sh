@@ -2,7 +2,7 @@
 # hand; it fails if a tool is missing that cannot be installed.
 
 # The quick ones first.
-STAGES=(symbols abi undefined address threads valgrind miri fuzz f32_vs_f64 random_bounds soak film_tolerance)
+STAGES=(symbols toolchains i686 macos wasm musl abi windows package aarch64 undefined address threads valgrind miri fuzz f32_vs_f64 random_bounds soak film_tolerance)
 
 check() {
     case "${1:-}" in
@@ -52,6 +52,36 @@ need_nightly() {
         rustup component list --toolchain nightly --installed | grep -q "^$component" ||
             step rustup component add --toolchain nightly "$component"
     done
+}
+
+# need_target triple: Rust's standard library for it.
+need_target() {
+    local libraries
+    libraries=$(rustc --print target-libdir --target "$1")
+    compgen -G "$libraries/libstd-*.rlib" >/dev/null && return
+    command -v rustup >/dev/null || die 1 "rustup is missing, which installs Rust for $1: nothing was checked"
+    step rustup target add "$1"
+}
+
+# Wine with a folder of its own, and MinGW, which makes the one library that older wines lack.
+need_wine() {
+    need_tool x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
+    need_tool wine wine
+    need_packages wine64
+    # Outside this folder, because wine links to the whole file system from its own, and cargo follows links.
+    export WINEDEBUG=-all WINEPREFIX="${XDG_CACHE_HOME:-$HOME/.cache}/pellicle/wine"
+    mkdir -p "${WINEPREFIX%/*}"
+    local system="$WINEPREFIX/drive_c/windows/system32"
+    [[ -d "$system" ]] || step wineboot --init
+    x86_64-w64-mingw32-gcc-posix -shared -static-libgcc checks/wine_bcryptprimitives.c -ladvapi32 \
+        -o "$system/bcryptprimitives.dll"
+}
+
+# configure_cross folder toolchain [options]: the project for another platform, into build/check/<folder>.
+configure_cross() {
+    local folder="build/check/$1" toolchain=$2
+    shift 2
+    step cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release --toolchain "toolchains/$toolchain.cmake" "$@"
 }
 
 # study name [arguments]: one of the long checks of studies/, with its report in out/.

@@ -61,6 +61,12 @@
 //! nanometres, colours in linear Rec.709 unless a film asks for another space. Directions whose length is 1 to
 //! within 1e-3 are accepted and normalised; others, NaN and infinity give 0. Sampled directions are unit to 1e-6.
 
+#[cfg(not(any(target_pointer_width = "64", target_family = "wasm")))]
+compile_error!(
+    "pellicle needs a 64-bit target: the C structs have one layout, with 8 bytes a pointer, and batches equal single \
+     calls bit for bit, which the x87 registers of 32-bit x86 do not allow"
+);
+
 #[doc(hidden)]
 pub mod batch;
 #[doc(hidden)]

@@ -5,28 +5,21 @@
 #include <cstdint>
 #include <functional>
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 namespace {
 
 // Memory that may be neither read nor written.
 class Forbidden {
 public:
-    Forbidden() {
-        size_ = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-        page_ = mmap(nullptr, size_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        REQUIRE_NE(page_, MAP_FAILED);
-    }
-    ~Forbidden() { munmap(page_, size_); }
+    Forbidden() : size_(pages::page_size()), page_(pages::map(size_, false)) { REQUIRE(page_); }
+    ~Forbidden() { pages::unmap(page_, size_); }
     Forbidden(const Forbidden &) = delete;
     Forbidden &operator=(const Forbidden &) = delete;
 
     float *data() const { return static_cast<float *>(page_); }
 
 private:
-    void *page_;
     std::size_t size_;
+    void *page_;
 };
 
 struct Reach {

@@ -5,10 +5,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <malloc.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
 namespace support {
 
 PellicleMedium medium(const char *name) {
@@ -102,10 +98,6 @@ bool has_effect(const Model &model, const PellicleModelParam &param, std::vector
     const PellicleStatus status = pellicle_bsdf_create(&desc, sizeof desc, &bsdf);
     pellicle_bsdf_release(bsdf);
     return status == PELLICLE_OK || !message_has("no effect");
-}
-
-std::size_t bytes_in_use() {
-    return mallinfo2().uordblks;
 }
 
 PellicleStatus create_film(const PellicleFilmDesc &desc) {
@@ -232,18 +224,17 @@ bool message_has(const std::string &words) {
 }
 
 GuardedBytes::GuardedBytes(std::size_t size) {
-    const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t page = pages::page_size();
     const std::size_t usable = (size + page - 1) / page * page;
     mapped_ = usable + page;
-    void *mapping = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    REQUIRE_NE(mapping, MAP_FAILED);
-    mapping_ = static_cast<unsigned char *>(mapping);
-    REQUIRE_EQ(mprotect(mapping_ + usable, page, PROT_NONE), 0);
+    mapping_ = static_cast<unsigned char *>(pages::map(mapped_, true));
+    REQUIRE(mapping_);
+    REQUIRE(pages::forbid(mapping_ + usable, page));
     data_ = mapping_ + usable - size;
 }
 
 GuardedBytes::~GuardedBytes() {
-    munmap(mapping_, mapped_);
+    pages::unmap(mapping_, mapped_);
 }
 
 } // namespace support

@@ -2,6 +2,8 @@
 // inputs, and memory whose end is guarded.
 #pragma once
 
+#include "pages.hpp"
+
 #include <pellicle.hpp>
 
 #include <doctest/doctest.h>
@@ -121,16 +123,13 @@ bool message_has(const std::string &words);
 // The status of a description as it is. What it makes is released at once; a failure must make nothing.
 PellicleStatus create_film(const PellicleFilmDesc &desc);
 
-/// What the program has allocated and not given back; the allocator's own caches count.
-std::size_t bytes_in_use();
-
 /// Runs something again and again: it must leave nothing behind. The allocator gives 16 bytes at least, so that a
 /// leak in every round is more than 8 for each; its caches, which the first rounds fill, change by less.
 template <class Round> void check_no_growth(int first_rounds, int rounds, Round round) {
     for (int i = 0; i < first_rounds; ++i) round();
-    const std::size_t before = bytes_in_use();
+    const std::size_t before = pages::bytes_in_use();
     for (int i = 0; i < rounds; ++i) round();
-    CHECK_LT(bytes_in_use(), before + 8 * static_cast<std::size_t>(rounds));
+    CHECK_LT(pages::bytes_in_use(), before + 8 * static_cast<std::size_t>(rounds));
 }
 
 // An output full of a pattern that no call writes, and that a failing call must leave.

@@ -85,10 +85,10 @@ TEST_CASE("references: as many releases as retains keep the handle, one more fre
 
     PellicleBsdf *bsdf = nullptr;
     REQUIRE_EQ(pellicle_bsdf_create(&desc, sizeof desc, &bsdf), PELLICLE_OK);
-    const std::size_t with_one = support::bytes_in_use();
+    const std::size_t with_one = pages::bytes_in_use();
     for (int i = 0; i < 5; ++i) pellicle_bsdf_retain(bsdf);
     for (int i = 0; i < 5; ++i) pellicle_bsdf_release(bsdf);
-    CHECK_EQ(support::bytes_in_use(), with_one);
+    CHECK_EQ(pages::bytes_in_use(), with_one);
     PellicleBsdfInfo info{};
     CHECK_EQ(pellicle_bsdf_info(bsdf, &info, sizeof info), PELLICLE_OK);
     CHECK_EQ(std::string(info.model), "layered");

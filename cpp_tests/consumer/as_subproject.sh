@@ -1,10 +1,19 @@
 #!/usr/bin/env bash
-# A parent project adds pellicle with add_subdirectory(): everything is built in the parent's build folder, and
-# pellicle is installed only if PELLICLE_INSTALL is set.
-# Usage: as_subproject.sh <cmake> <source> <cargo target directory> <work>
+# A parent project adds pellicle with add_subdirectory() or FetchContent: everything is built in the parent's build
+# folder, and pellicle is installed only if PELLICLE_INSTALL is set.
+# Usage: as_subproject.sh <cmake> <source> <cargo target directory> add_subdirectory|FetchContent <work>
 set -euo pipefail
-cmake=$1 source=$2 target=$3 work=$4
+cmake=$1 source=$2 target=$3 way=$4 work=$5
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+case "$way" in
+    add_subdirectory) add="add_subdirectory($source pellicle)" ;;
+    FetchContent)
+        add="include(FetchContent)
+FetchContent_Declare(pellicle SOURCE_DIR $source)
+FetchContent_MakeAvailable(pellicle)"
+        ;;
+esac
 
 rm -rf "$work"
 mkdir -p "$work/parent"
@@ -12,7 +21,7 @@ cp "$here/use.c" "$work/parent"
 cat >"$work/parent/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.25)
 project(parent LANGUAGES C)
-add_subdirectory($source pellicle)
+$add
 add_executable(use use.c)
 target_link_libraries(use PRIVATE pellicle::shared m)
 install(TARGETS use)
@@ -40,3 +49,13 @@ configure -DPELLICLE_CARGO_TARGET_DIR="$target"
 configure -DPELLICLE_INSTALL=ON
 "$cmake" --install "$work/build" --prefix "$work/with"
 [[ -f "$work/with/include/pellicle.h" ]] || { echo "pellicle is not installed though asked" >&2; exit 1; }
+
+# The functions of the static library are hidden, unless the parent asks for them.
+visibility() {
+    readelf --symbols --wide "$work/build/"*/lib/libpellicle.a "$work/build/"_deps/*/lib/libpellicle.a 2>/dev/null |
+        awk '$NF == "pellicle_get_api" { print $6 }'
+}
+[[ "$(visibility)" == HIDDEN ]] || { echo "the static library's functions are $(visibility)" >&2; exit 1; }
+configure -DPELLICLE_STATIC_EXPORT=ON
+"$cmake" --build "$work/build"
+[[ "$(visibility)" == DEFAULT ]] || { echo "asked to export, the functions are $(visibility)" >&2; exit 1; }

@@ -29,7 +29,7 @@ foreach(layout_and_libdir IN LISTS consumer_layouts)
 
     add_test(NAME package.install.${layout}
         COMMAND "${consumer_dir}/install_and_move.sh" "${CMAKE_COMMAND}" "${PROJECT_SOURCE_DIR}"
-            "${PELLICLE_CARGO_TARGET_DIR}" ${libdir} ${pellicle_soname} "${work}")
+            "${PELLICLE_CARGO_TARGET_DIR}" ${libdir} ${pellicle_shared_name} "${work}")
     set_tests_properties(package.install.${layout} PROPERTIES FIXTURES_SETUP prefix.${layout})
 
     add_consumer_test(package.cmake.${layout} ${layout}
@@ -38,7 +38,7 @@ foreach(layout_and_libdir IN LISTS consumer_layouts)
             --build-options "-Dpellicle_ROOT=${prefix}"
             --test-command "${CMAKE_CTEST_COMMAND}" --output-on-failure)
     add_consumer_test(package.pkg-config.${layout} ${layout}
-        "${consumer_dir}/with_pkg_config.sh" "${prefix}/${libdir}" ${pellicle_soname}
+        "${consumer_dir}/with_pkg_config.sh" "${prefix}/${libdir}" ${pellicle_shared_name}
             "${work}/pkg-config")
     add_consumer_test(example.c.cmake.${layout} ${layout}
         "${CMAKE_CTEST_COMMAND}" --build-and-test "${PROJECT_SOURCE_DIR}/examples/c" "${work}/example"
@@ -52,13 +52,23 @@ endforeach()
 
 # A program linked to the library where cargo puts it starts: the library has its run-time name beside it.
 add_test(NAME package.cargo
-    COMMAND "${consumer_dir}/with_cargo.sh" "${pellicle_cargo_output}" "${PROJECT_SOURCE_DIR}/include"
+    COMMAND "${consumer_dir}/with_cargo.sh" "${PROJECT_BINARY_DIR}/cargo/place.txt" "${PROJECT_SOURCE_DIR}/include"
         "${CMAKE_CURRENT_BINARY_DIR}/consumer/with-cargo")
+add_test(NAME package.cargo.elsewhere
+    COMMAND "${consumer_dir}/cargo_elsewhere.sh" "${CMAKE_COMMAND}" "${PROJECT_SOURCE_DIR}" ${pellicle_shared_name}
+        "${CMAKE_CURRENT_BINARY_DIR}/consumer/cargo-elsewhere")
+set_tests_properties(package.cargo package.cargo.elsewhere PROPERTIES ENVIRONMENT "${consumer_environment}")
 # A parent that adds pellicle as a subproject: it builds in the parent's folder and installs if asked.
-add_test(NAME package.subproject
-    COMMAND "${consumer_dir}/as_subproject.sh" "${CMAKE_COMMAND}" "${PROJECT_SOURCE_DIR}"
-        "${PELLICLE_CARGO_TARGET_DIR}" "${CMAKE_CURRENT_BINARY_DIR}/consumer/subproject")
-set_tests_properties(package.cargo package.subproject PROPERTIES ENVIRONMENT "${consumer_environment}")
+foreach(way IN ITEMS add_subdirectory FetchContent)
+    add_test(NAME package.subproject.${way}
+        COMMAND "${consumer_dir}/as_subproject.sh" "${CMAKE_COMMAND}" "${PROJECT_SOURCE_DIR}"
+            "${PELLICLE_CARGO_TARGET_DIR}" ${way} "${CMAKE_CURRENT_BINARY_DIR}/consumer/${way}")
+    set_tests_properties(package.subproject.${way} PROPERTIES ENVIRONMENT "${consumer_environment}")
+endforeach()
+# Programs and plug-ins with the static library keep it to themselves.
+add_consumer_test(package.plugins plain
+    "${consumer_dir}/two_plugins.sh" "${CMAKE_CURRENT_BINARY_DIR}/consumer/plain/moved/lib" ${PROJECT_VERSION}
+        "${CMAKE_CURRENT_BINARY_DIR}/consumer/plugins")
 
 # The C++ example renders: one layout is enough, it takes some seconds.
 add_consumer_test(example.cpp.cmake plain

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # A program linked to the library in cargo's own folder starts, as after a plain `cargo build --release`.
-# Usage: with_cargo.sh <folder of libpellicle.so> <include directory> <work>; CC from the environment.
+# Usage: with_cargo.sh <file with the name of cargo's folder> <include directory> <work>; CC from the environment.
 set -euo pipefail
-libdir=$1 include=$2 work=$3
+libdir=$(<"$1") include=$2 work=$3
 here=$(dirname "${BASH_SOURCE[0]}")
 
 mkdir -p "$work"

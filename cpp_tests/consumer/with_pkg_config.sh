@@ -24,9 +24,23 @@ for linkage in shared static; do
     done
 done
 
-# Without the compiler's own -lgcc_s -lc, the list of Libs.private has to be complete.
-"$CC" -std=c99 "${cflags[@]}" "$here/use.c" -nodefaultlibs "${static[@]}" -o "$work/use_c_listed"
+# Without the libraries that every C compiler adds by itself, the list of Libs.private has to be complete.
+"$CC" -std=c99 "${cflags[@]}" "$here/use.c" -nodefaultlibs "${static[@]}" -lgcc_s -lc -o "$work/use_c_listed"
 "$work/use_c_listed"
+
+# Programs without any shared library.
+read -ra all_static < <("$PKG_CONFIG" --static --libs pellicle)
+for option in -static -static-pie; do
+    "$CC" -std=c99 "${cflags[@]}" "$here/use.c" $option "${all_static[@]}" -o "$work/use_c$option"
+    "$CXX" -std=c++17 "${cflags[@]}" "$here/use.cpp" $option "${all_static[@]}" -o "$work/use_cpp$option"
+    for program in "$work/use_c$option" "$work/use_cpp$option"; do
+        if readelf --dynamic "$program" | grep -F '(NEEDED)'; then
+            echo "$program: linked $option, needs shared libraries" >&2
+            exit 1
+        fi
+        "$program"
+    done
+done
 
 "$CC" -std=c99 "${warnings[@]}" "${cflags[@]}" "$here/load.c" -ldl -o "$work/load"
 "$work/load" "$libdir/$soname"

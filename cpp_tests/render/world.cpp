@@ -18,6 +18,23 @@ T *newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::si
     return static_cast<T *>(buffer);
 }
 
+#if RTC_VERSION_MAJOR >= 4
+void intersectWith(RTCScene scene, RTCRayHit &query) { rtcIntersect1(scene, &query); }
+void occludedBy(RTCScene scene, RTCRay &query) { rtcOccluded1(scene, &query); }
+#else
+void intersectWith(RTCScene scene, RTCRayHit &query) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &query);
+}
+
+void occludedBy(RTCScene scene, RTCRay &query) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &query);
+}
+#endif
+
 RTCRay toEmbree(const Ray &ray) {
     RTCRay r{};
     r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
@@ -120,9 +137,7 @@ std::optional<Hit> World::intersect(const Ray &ray) const {
     query.ray = toEmbree(ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scene_, &context, &query);
+    intersectWith(scene_, query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
     const Object &object = objects_[query.hit.geomID];
@@ -136,9 +151,7 @@ std::optional<Hit> World::intersect(const Ray &ray) const {
 
 bool World::occluded(const Ray &ray) const {
     RTCRay query = toEmbree(ray);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(scene_, &context, &query);
+    occludedBy(scene_, query);
     return query.tfar < 0; // what Embree sets when something is hit
 }
 

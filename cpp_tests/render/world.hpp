@@ -5,7 +5,12 @@
 #include "mesh.hpp"
 #include "ray.hpp"
 
+// Debian 12 has Embree 3, Debian 13 Embree 4.
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <memory>
 #include <optional>

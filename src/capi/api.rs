@@ -3,8 +3,8 @@
 //! The table is generated: build.rs reads the functions that cbindgen finds and writes the struct into the
 //! header and the table into OUT_DIR. A new function is written once, in its own file.
 
+use super::c_types::size_t;
 use super::types::PELLICLE_ABI_VERSION;
-use libc::size_t;
 
 // Every function of this header by its name without the prefix; build.rs writes the fields.
 /// The table of all functions, which pellicle_get_api() gives.

@@ -2,6 +2,7 @@
 
 use super::boundary::{elements, guard, read_growing};
 use super::bsdf_types::{PellicleEvalBatchArgs, PellicleSampleBatchArgs};
+use super::c_types::size_t;
 use super::call::call_options;
 use super::film_types::PellicleFilmBatchArgs;
 use super::types::{
@@ -11,7 +12,6 @@ use super::{bsdf, film};
 use crate::batch::{self, ConstView, EvalArgs, FilmArgs, SampleArgs, View};
 use crate::bsdf::MAX_VARYING;
 use crate::error::Error;
-use libc::size_t;
 
 /// Calls pellicle_bsdf_eval() for every element of strided arrays; the results are those of single calls, bit
 /// for bit. An output with data NULL is not wanted; at least one must be.

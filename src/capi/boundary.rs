@@ -1,13 +1,13 @@
 //! The common work of all entry points: stopping panics, reporting failures, checking pointers, and reading
 //! and writing structs that may be shorter or longer than those of this build.
 
+use super::c_types::c_char;
 use super::float_control::{Traps, under_default};
 use super::last_error;
 use super::types::{PELLICLE_INTERNAL, PELLICLE_OK, PellicleStatus};
 use crate::error::Error;
 #[cfg(test)]
 use crate::error::Status;
-use libc::c_char;
 use std::any::Any;
 use std::ffi::CStr;
 use std::mem::MaybeUninit;

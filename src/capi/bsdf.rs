@@ -7,13 +7,13 @@ use super::boundary::{
 use super::bsdf_types::{
     PellicleBsdfDesc, PellicleBsdfInfo, PellicleLobeInfo, PellicleParam, PellicleVaryingInfo,
 };
+use super::c_types::size_t;
 use super::film;
 use super::float_control::Traps;
 use super::text::text;
 use super::types::{PELLICLE_KIND_DIRECTION, PELLICLE_KIND_NUMBER, PellicleBsdf, PellicleStatus};
 use crate::bsdf::{Bsdf, Description, ParamKind};
 use crate::error::Error;
-use libc::size_t;
 use std::ffi::CString;
 use std::sync::Arc;
 

@@ -3,10 +3,10 @@
 use super::boundary::{check_output, guard, guard_call, numbers, require, write_growing};
 use super::bsdf::{handle, traps};
 use super::bsdf_types::PellicleSample;
+use super::c_types::size_t;
 use super::call::call_options;
 use super::types::{PellicleBsdf, PellicleCall, PellicleStatus};
 use crate::bsdf::{Bsdf, MAX_VARYING};
-use libc::size_t;
 use std::mem::MaybeUninit;
 
 /// The most numbers that varying parameters have together.

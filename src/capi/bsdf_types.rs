@@ -1,7 +1,7 @@
 //! The structs of a BSDF: its description, what can be asked of it, samples and the arguments of batches.
 
+use super::c_types::{c_char, size_t};
 use super::types::{PellicleCall, PellicleConstView, PellicleFilm, PellicleUintView, PellicleView};
-use libc::{c_char, size_t};
 
 /// One parameter of a model, by name: either numbers (`values`, `count`) or a `choice`, never both. Frozen.
 #[repr(C)]

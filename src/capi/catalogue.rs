@@ -1,6 +1,7 @@
 //! Lists of models with their parameters, of media, and of the names of methods, spaces, whites and levels.
 
 use super::boundary::{check_output, guard, write_growing};
+use super::c_types::{c_char, size_t};
 use super::text::{list, text};
 use super::types::{
     PELLICLE_KIND_CHOICE, PELLICLE_KIND_DIRECTION, PELLICLE_KIND_NUMBER,
@@ -12,7 +13,6 @@ use crate::error::Error;
 use crate::film::METHODS;
 use crate::num::Level;
 use crate::optics::{ColorSpace, NamedMedium, White};
-use libc::{c_char, size_t};
 use std::ptr::null;
 
 /// A model that this build offers. Its texts live as long as the library. It grows by appending;

@@ -3,6 +3,7 @@
 use super::boundary::{
     check_output, guard, optional_string, read_growing, reference, require, write_growing,
 };
+use super::c_types::size_t;
 use super::film_description::film_description;
 use super::film_types::{PellicleFilmDesc, PellicleFilmInfo, PellicleFilmPlan};
 use super::float_control::Traps;
@@ -11,7 +12,6 @@ use super::types::{PellicleFilm, PellicleStatus};
 use crate::error::Error;
 use crate::film::Film;
 use crate::num::Level;
-use libc::size_t;
 use std::ffi::CString;
 use std::sync::Arc;
 

@@ -1,6 +1,7 @@
 //! Single calls of a film.
 
 use super::boundary::{elements, guard, guard_call, guard_call_status, refuse_null, require};
+use super::c_types::size_t;
 use super::film::{FilmHandle, handle, traps};
 use super::float_control::Traps;
 use super::types::{
@@ -8,7 +9,6 @@ use super::types::{
 };
 use crate::error::Error;
 use crate::optics::stack::Side;
-use libc::size_t;
 
 /// Reflectance of unpolarised light from the ambient's side, RGB, into `rgb` (3 numbers).
 ///

@@ -1,7 +1,7 @@
 //! The structs of a film: media and layers, its description, its plan, and the arguments of its batch.
 
+use super::c_types::{c_char, size_t};
 use super::types::{PellicleConstView, PellicleView};
-use libc::{c_char, size_t};
 
 /// A medium, given in one of three ways: by `name`, by `eta` and `k`, or by a table of measurements.
 /// All zero means vacuum as a film's ambient and is refused elsewhere. It grows by appending; its size

@@ -1,6 +1,6 @@
 //! The message of the calling thread's last failure, in a fixed buffer.
 
-use libc::c_char;
+use super::c_types::c_char;
 use std::cell::UnsafeCell;
 
 const CAPACITY: usize = 1024;

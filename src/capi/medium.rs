@@ -1,10 +1,10 @@
 //! Conversion of a medium.
 
 use super::boundary::{elements, string};
+use super::c_types::c_char;
 use super::film_types::PellicleMedium;
 use crate::error::Error;
 use crate::optics::Medium;
-use libc::c_char;
 
 /// The medium given in one of the three ways; none if every field is zero. Messages begin with
 /// `place`.

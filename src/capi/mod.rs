@@ -10,6 +10,7 @@ mod boundary;
 mod bsdf;
 mod bsdf_calls;
 mod bsdf_types;
+mod c_types;
 mod call;
 mod catalogue;
 #[cfg(test)]

@@ -4,10 +4,10 @@
 //! the library, without an allocation that would outlive dlclose(): so every text is copied into one array
 //! at compile time, and [`text`] and [`list`] find it there.
 
+use super::c_types::c_char;
 use crate::bsdf::{Exception, ModelInfo, ParamInfo, ParamKind, models};
 use crate::film::METHODS;
 use crate::optics::{ColorSpace, NamedMedium, White};
-use libc::c_char;
 use std::ffi::CStr;
 use std::ptr::null;
 

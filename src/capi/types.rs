@@ -1,6 +1,6 @@
 //! Numbers, handles and views that cross the C boundary. Everything here is `repr(C)`; there is no logic.
 
-use libc::{ptrdiff_t, size_t};
+use super::c_types::{ptrdiff_t, size_t};
 
 /// The result of a call: PELLICLE_OK (0) or one of the failures below. After a failure every output is as
 /// it was before the call, and pellicle_last_error() says in words what was wrong.

@@ -1,8 +1,8 @@
 //! Versions, statuses, the last error.
 
+use super::c_types::c_char;
 use super::last_error;
 use super::types::{PELLICLE_ABI_VERSION, PellicleStatus};
-use libc::c_char;
 
 /// Gives PELLICLE_ABI_VERSION of the library that runs; compare it with the header's.
 #[unsafe(no_mangle)]

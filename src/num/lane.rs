@@ -2,7 +2,7 @@
 //!
 //! A formula that depends on the wavelength is written for one channel and evaluated with [`Lane::Rgb`],
 //! which has all three channels: three numbers in general, one register of four lanes for a single `f32` on
-//! x86-64. There a single call costs one evaluation instead of three.
+//! x86-64 and 64-bit ARM. There a single call costs one evaluation instead of three.
 
 use super::Real;
 use super::rgb::{Triple, each};
@@ -166,5 +166,5 @@ macro_rules! side_by_side {
 }
 
 side_by_side!(f64);
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 side_by_side!(f32);

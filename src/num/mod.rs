@@ -1,6 +1,12 @@
 //! The arithmetic of all formulas: the traits [`Real`] and [`Lane`], elementary functions, SIMD lanes,
 //! vectors, table look-ups and warps of the unit square. Nothing here depends on optics.
 
+// On processors without lanes of ours, WebAssembly's, what serves the lanes alone has no use.
+#![cfg_attr(
+    not(any(target_arch = "x86_64", target_arch = "aarch64")),
+    allow(unused)
+)]
+
 mod arctangent;
 mod columns;
 mod elementary;

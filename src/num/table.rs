@@ -51,7 +51,8 @@ pub(super) fn weighted<C: Real>([a, b, c]: [C; 3], [u, v, w]: [C; 3]) -> C {
 }
 
 /// Loads three entries from each of three rows of a table. The first entry is at `from`, and rows are
-/// `stride` entries apart. `rgb_sse2.rs` has its own for single precision on x86-64.
+/// `stride` entries apart. `rgb_lanes.rs` has its own for single precision on x86-64
+/// and 64-bit ARM.
 ///
 /// # Panics
 /// If an entry is outside the table.

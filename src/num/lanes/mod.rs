@@ -7,8 +7,12 @@ mod f64x4;
 mod instructions;
 mod level;
 mod look_up;
+#[cfg(target_arch = "aarch64")]
+mod register_neon;
 #[cfg(target_arch = "x86_64")]
-mod rgb_sse2;
+mod register_sse2;
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+mod rgb_lanes;
 
 pub use dispatch::widest;
 pub use f64x4::F64x4;

@@ -1,49 +1,41 @@
-//! Red, green and blue in the four lanes of an SSE2 register, which every x86-64 processor has. The fourth
-//! lane repeats blue, so that it adds no subnormal number and no floating-point exception of its own.
+//! Red, green and blue in the four lanes of one register, of SSE2 or NEON, which every x86-64 and every 64-bit ARM
+//! processor has. The fourth lane repeats blue, so that it adds no subnormal number and no floating-point exception
+//! of its own.
 
 #![allow(unsafe_code)]
 
 use super::super::elementary::elementary_methods;
 use super::super::lane::scalar_methods;
-use super::super::scalar::{EXPONENT_SHIFT, SQRT_HALF_BITS};
+use super::super::scalar::EXPONENT_SHIFT;
 use super::super::table::{TableBlock, TableEntry, unbiased, weighted};
 use super::super::{Lane, Mask, Real};
-use std::arch::x86_64::*;
+#[cfg(target_arch = "aarch64")]
+use super::register_neon as register;
+#[cfg(target_arch = "x86_64")]
+use super::register_sse2 as register;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
-
-/// An expression of SSE2 intrinsics that take values, no pointers. They are unsafe to call only because
-/// other processors might lack the instructions.
-macro_rules! sse2 {
-    ($expression:expr) => {
-        // SAFETY: SSE2 is part of the x86-64 baseline, for which alone this file is compiled.
-        unsafe { $expression }
-    };
-}
 
 /// Three colour channels in single precision.
 #[derive(Clone, Copy, Debug)]
-pub struct RgbLanes(__m128);
+pub struct RgbLanes(register::Numbers);
 
 /// A mask: one truth value per lane, all bits set or none.
 #[derive(Clone, Copy, Debug)]
-pub struct RgbMask(__m128);
+pub struct RgbMask(register::Bits);
 
 impl Lane for f32 {
     type Rgb = RgbLanes;
     #[inline(always)]
-    fn rgb([r, g, b]: [f32; 3]) -> RgbLanes {
-        RgbLanes(sse2!(_mm_setr_ps(r, g, b, b)))
+    fn rgb(channels: [f32; 3]) -> RgbLanes {
+        RgbLanes(register::from_channels(channels))
     }
     #[inline(always)]
     fn gray(self) -> RgbLanes {
-        RgbLanes(sse2!(_mm_set1_ps(self)))
+        RgbLanes(register::splat(self))
     }
     #[inline(always)]
     fn channels(rgb: RgbLanes) -> [f32; 3] {
-        let lane = |lanes| sse2!(_mm_cvtss_f32(lanes));
-        let green = sse2!(_mm_shuffle_ps::<0b01_01_01_01>(rgb.0, rgb.0));
-        let blue = sse2!(_mm_movehl_ps(rgb.0, rgb.0));
-        [lane(rgb.0), lane(green), lane(blue)]
+        register::channels(rgb.0)
     }
     scalar_methods!();
     #[inline(always)]
@@ -82,7 +74,7 @@ fn load_block(table: &[TableEntry<f32>], from: usize, stride: usize) -> [[RgbLan
     std::array::from_fn(|row| {
         std::array::from_fn(|entry| {
             // SAFETY: the index is at most from + 2 stride + 2, which is in the table; entries are aligned.
-            RgbLanes(unsafe { _mm_load_ps(start.add(from + row * stride + entry).cast()) })
+            RgbLanes(unsafe { register::load(start.add(from + row * stride + entry).cast()) })
         })
     })
 }
@@ -95,29 +87,29 @@ fn outside() -> ! {
 }
 
 macro_rules! operator {
-    ($type:ident, $trait:ident, $method:ident, $intrinsic:ident) => {
+    ($type:ident, $trait:ident, $method:ident, $function:ident) => {
         impl $trait for $type {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Self(sse2!($intrinsic(self.0, other.0)))
+                Self(register::$function(self.0, other.0))
             }
         }
     };
 }
 
-operator!(RgbLanes, Add, add, _mm_add_ps);
-operator!(RgbLanes, Sub, sub, _mm_sub_ps);
-operator!(RgbLanes, Mul, mul, _mm_mul_ps);
-operator!(RgbLanes, Div, div, _mm_div_ps);
-operator!(RgbMask, BitAnd, bitand, _mm_and_ps);
-operator!(RgbMask, BitOr, bitor, _mm_or_ps);
+operator!(RgbLanes, Add, add, add);
+operator!(RgbLanes, Sub, sub, sub);
+operator!(RgbLanes, Mul, mul, mul);
+operator!(RgbLanes, Div, div, div);
+operator!(RgbMask, BitAnd, bitand, and);
+operator!(RgbMask, BitOr, bitor, or);
 
 impl Neg for RgbLanes {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(sse2!(_mm_xor_ps(self.0, _mm_set1_ps(-0.0))))
+        Self(register::neg(self.0))
     }
 }
 
@@ -125,17 +117,14 @@ impl Not for RgbMask {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
-        Self(sse2!(_mm_xor_ps(
-            self.0,
-            _mm_castsi128_ps(_mm_set1_epi32(-1))
-        )))
+        Self(register::not(self.0))
     }
 }
 
 impl Mask for RgbMask {
     #[inline(always)]
     fn any(self) -> bool {
-        sse2!(_mm_movemask_ps(self.0) != 0)
+        register::any(self.0)
     }
 }
 
@@ -145,31 +134,27 @@ impl Real for RgbLanes {
 
     #[inline(always)]
     fn new(value: f64) -> Self {
-        Self(sse2!(_mm_set1_ps(value as f32)))
+        Self(register::splat(value as f32))
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(sse2!(_mm_sqrt_ps(self.0)))
+        Self(register::sqrt(self.0))
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        Self(sse2!(_mm_andnot_ps(_mm_set1_ps(-0.0), self.0)))
+        Self(register::abs(self.0))
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        Self(sse2!(_mm_min_ps(self.0, other.0)))
+        Self(register::min(self.0, other.0))
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        Self(sse2!(_mm_max_ps(self.0, other.0)))
+        Self(register::max(self.0, other.0))
     }
     #[inline(always)]
     fn round(self) -> Self {
-        // As for f32: add and subtract 2^23 of the same sign.
-        let whole = Self::new(8_388_608.0);
-        let sign = sse2!(_mm_and_ps(self.0, _mm_set1_ps(-0.0)));
-        let shift = sse2!(Self(_mm_or_ps(whole.0, sign)));
-        Self::select(self.abs().lt(whole), (self + shift) - shift, self)
+        Self(register::round(self.0))
     }
     #[inline(always)]
     fn is_finite(self) -> RgbMask {
@@ -177,40 +162,29 @@ impl Real for RgbLanes {
     }
     #[inline(always)]
     fn lt(self, other: Self) -> RgbMask {
-        RgbMask(sse2!(_mm_cmplt_ps(self.0, other.0)))
+        RgbMask(register::lt(self.0, other.0))
     }
     #[inline(always)]
     fn le(self, other: Self) -> RgbMask {
-        RgbMask(sse2!(_mm_cmple_ps(self.0, other.0)))
+        RgbMask(register::le(self.0, other.0))
     }
     #[inline(always)]
     fn equals(self, other: Self) -> RgbMask {
-        RgbMask(sse2!(_mm_cmpeq_ps(self.0, other.0)))
+        RgbMask(register::equals(self.0, other.0))
     }
     #[inline(always)]
     fn select(mask: RgbMask, yes: Self, no: Self) -> Self {
-        Self(sse2!(_mm_or_ps(
-            _mm_and_ps(mask.0, yes.0),
-            _mm_andnot_ps(mask.0, no.0)
-        )))
+        Self(register::select(mask.0, yes.0, no.0))
     }
     #[inline(always)]
     fn split(self) -> (Self, Self) {
-        let sqrt_half = sse2!(_mm_set1_epi32(SQRT_HALF_BITS));
-        let above = sse2!(_mm_sub_epi32(_mm_castps_si128(self.0), sqrt_half));
-        let fraction = sse2!(_mm_and_si128(above, _mm_set1_epi32(0x007f_ffff)));
-        let mantissa = sse2!(_mm_castsi128_ps(_mm_add_epi32(fraction, sqrt_half)));
-        (
-            Self(mantissa),
-            Self(sse2!(_mm_cvtepi32_ps(_mm_srai_epi32::<23>(above)))),
-        )
+        let (mantissa, exponent) = register::split(self.0);
+        (Self(mantissa), Self(exponent))
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
         let shifted = self + Self::new(EXPONENT_SHIFT);
-        Self(sse2!(_mm_castsi128_ps(_mm_slli_epi32::<23>(
-            _mm_castps_si128(shifted.0)
-        ))))
+        Self(register::bits_to_exponent(shifted.0))
     }
     elementary_methods!();
 }

@@ -1,0 +1,2 @@
+# What `./x package` makes, for every platform, and programs built from it without cargo.
+run_package
