@@ -59,7 +59,7 @@
 //! shading normal and +X the tangent; `wo` goes to the viewer and `wi` to the light. `value` is
 //! f(wo, wi) |wi.z|, `pdf` is the density of wi per solid angle, and `weight` is value / pdf. Lengths are in
 //! nanometres, colours in linear Rec.709 unless a film asks for another space. Directions whose length is 1 to
-//! within 1e-3 are accepted as they are; others, NaN and infinity give 0.
+//! within 1e-3 are accepted and normalised; others, NaN and infinity give 0. Sampled directions are unit to 1e-6.
 
 #[cfg(not(any(target_pointer_width = "64", target_family = "wasm")))]
 compile_error!(

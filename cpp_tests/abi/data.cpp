@@ -143,7 +143,7 @@ TEST_CASE("data: zeros, denormals and the largest floats anywhere give finite re
     });
 }
 
-TEST_CASE("data: a direction is taken as it is up to 1e-3 from unit length, and gives 0 beyond") {
+TEST_CASE("data: a direction is normalised up to 1e-3 from unit length, and gives 0 beyond") {
     for_each_subject([](const support::Varying &subject, const Inputs &valid) {
         const auto scaled = [](Vec3 v, float length) {
             for (float &component : v) component *= length;
@@ -167,6 +167,9 @@ TEST_CASE("data: a direction is taken as it is up to 1e-3 from unit length, and 
             inputs.wi = scaled(valid.wi, length);
             const Results results(subject.bsdf(), inputs);
             CHECK_FALSE((results.eval_is_zero() && support::all_zero(results.sample)));
+            const float *wi = results.sample.wi;
+            const double square = double{wi[0]} * wi[0] + double{wi[1]} * wi[1] + double{wi[2]} * wi[2];
+            if (!support::all_zero(results.sample)) CHECK_LE(std::fabs(std::sqrt(square) - 1.0), 1e-6);
         }
     });
 }

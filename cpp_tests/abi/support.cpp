@@ -152,7 +152,7 @@ std::vector<Model> models_with_and_without_film() {
     return result;
 }
 
-Varying::Varying(const Model &model) {
+Varying::Varying(const Model &model, const Create &create) {
     pellicle::BsdfBuilder builder(model.info.name);
     builder.film(film_for(model, true)).simd_level(simd_level());
     if (model.film_param) builder.choose(model.film_param, "film");
@@ -174,7 +174,8 @@ Varying::Varying(const Model &model) {
         lows_.insert(lows_.end(), param.components, param.min);
         highs_.insert(highs_.end(), param.components, middle);
     }
-    bsdf_ = builder.create();
+    bsdf_ = create ? create(builder) : builder.create();
+    REQUIRE(bsdf_.raw());
     REQUIRE_EQ(bsdf_.info().varying_floats, floats());
 }
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <random>
 #include <string>
@@ -87,7 +88,8 @@ pellicle::BsdfBuilder builder(const Model &model);
 // A BSDF in which every parameter that can vary does, in the order of introspection.
 class Varying {
 public:
-    explicit Varying(const Model &model);
+    using Create = std::function<pellicle::Bsdf(const pellicle::BsdfBuilder &)>;
+    explicit Varying(const Model &model, const Create &create = {});
 
     const pellicle::Bsdf &bsdf() const { return bsdf_; }
     std::size_t floats() const { return lows_.size(); }

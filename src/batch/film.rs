@@ -1,6 +1,6 @@
 //! Batches of a film.
 
-use super::chunk::{Chunks, Column};
+use super::chunk::{CHUNK, Chunks, Column};
 use super::view::{ConstView, View, is_apart};
 use crate::error::Error;
 use crate::film::Film;
@@ -40,14 +40,14 @@ pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs, level: Level) -> Re
     args.reflectance.check("reflectance", 3, count)?;
     let inputs = [args.cos_theta.span(1, count), thickness_nm.span(1, count)];
     let outputs = [args.reflectance.target(3, count)];
-    let chunks = Chunks::new(count, is_apart(&inputs, &outputs), level);
-    let [mut cosines, mut thicknesses] = [Column::EMPTY; 2];
-    let mut room = [Column::EMPTY; 3];
+    let chunks = Chunks::new(count, CHUNK, is_apart(&inputs, &outputs), level);
+    let [mut cosines, mut thicknesses] = [Column::<f32, CHUNK>::EMPTY; 2];
+    let mut room = [Column::<f32, CHUNK>::EMPTY; 3];
     for chunk in chunks.iter() {
         // SAFETY: the caller vouches for every address of every view; slices do not overlap, or are copies.
         unsafe {
-            let cosines = chunk.read(&args.cos_theta, &mut cosines);
-            let thicknesses = chunk.read(&thickness_nm, &mut thicknesses);
+            let cosines = chunk.read(&args.cos_theta, &mut cosines.0);
+            let thicknesses = chunk.read(&thickness_nm, &mut thicknesses.0);
             let mut reflectance = chunk.columns_mut(&args.reflectance, &mut room);
             film.reflectance_tile(chunks.level, cosines, thicknesses, &mut reflectance);
             chunk.write(&args.reflectance, &room);

@@ -1,7 +1,7 @@
 //! Batches of a BSDF: evaluation and sampling for the elements of strided arrays.
 
-use super::chunk::{Chunks, Column};
-use super::varying::{MAX_FLOATS, VaryingViews, with_room};
+use super::chunk::{CHUNK, Chunks, Column, SAMPLE_CHUNK};
+use super::varying::{MAX_FLOATS, Room, VaryingViews};
 use super::view::{ConstView, Span, View, is_apart};
 use crate::bsdf::{Bsdf, Call, EvalJob, SampleJob};
 use crate::error::Error;
@@ -90,54 +90,53 @@ pub unsafe fn eval(bsdf: &Bsdf, args: &EvalArgs, level: Level) -> Result<(), Err
         args.pdf_reverse.target(1, count),
     ];
     let is_direct = are_apart(&inputs, &varying, &outputs, count);
-    let chunks = Chunks::new(count, is_direct, level);
+    let longest = varying.longest_chunk(CHUNK);
+    let chunks = Chunks::new(count, longest, is_direct, level);
     let lobes = bsdf.wanted_lobes(&args.call);
-    let (mut wo, mut wi) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
-    let mut value = [Column::EMPTY; 3];
-    let (mut pdf, mut pdf_reverse) = ([Column::EMPTY], [Column::EMPTY]);
-    with_room(varying.floats(), |numbers| {
-        for chunk in chunks.iter() {
-            // SAFETY: the caller vouches for every address of every view; an array that is used in place
-            // overlaps no other.
-            unsafe {
-                let mut slices = [&[][..]; MAX_FLOATS];
-                let (wo, wi) = (
-                    chunk.columns(&args.wo, &mut wo),
-                    chunk.columns(&args.wi, &mut wi),
-                );
-                let varying = bsdf.varying_columns(varying.read(&chunk, numbers, &mut slices));
-                if !args.pdf_reverse.data.is_null() {
-                    let density = chunk.column_mut(&args.pdf_reverse, &mut pdf_reverse);
-                    let mut job = EvalJob {
-                        wo: wi,
-                        wi: wo,
-                        varying,
-                        lobes,
-                        value: None,
-                        pdf: Some(density),
-                    };
-                    bsdf.eval_job(chunks.level, &mut job);
-                }
-                let is_value_wanted = !args.value.data.is_null();
-                let is_pdf_wanted = !args.pdf.data.is_null();
-                let density = chunk.column_mut(&args.pdf, &mut pdf);
+    let [mut wo, mut wi, mut value] = [[Column::<f32, CHUNK>::EMPTY; 3]; 3];
+    let [mut pdf, mut pdf_reverse] = [[Column::<f32, CHUNK>::EMPTY]; 2];
+    let mut numbers = Room::EMPTY;
+    for chunk in chunks.iter() {
+        // SAFETY: the caller vouches for every address of every view; an array that is used in place
+        // overlaps no other.
+        unsafe {
+            let mut slices = [&[][..]; MAX_FLOATS];
+            let (wo, wi) = (
+                chunk.columns(&args.wo, &mut wo),
+                chunk.columns(&args.wi, &mut wi),
+            );
+            let varying = bsdf.varying_columns(varying.read(&chunk, &mut numbers, &mut slices));
+            if !args.pdf_reverse.data.is_null() {
+                let density = chunk.column_mut(&args.pdf_reverse, &mut pdf_reverse);
                 let mut job = EvalJob {
-                    wo,
-                    wi,
+                    wo: wi,
+                    wi: wo,
                     varying,
                     lobes,
-                    value: is_value_wanted.then(|| chunk.columns_mut(&args.value, &mut value)),
-                    pdf: is_pdf_wanted.then_some(density),
+                    value: None,
+                    pdf: Some(density),
                 };
-                if is_value_wanted || is_pdf_wanted {
-                    bsdf.eval_job(chunks.level, &mut job);
-                }
-                chunk.write(&args.value, &value);
-                chunk.write(&args.pdf, &pdf);
-                chunk.write(&args.pdf_reverse, &pdf_reverse);
+                bsdf.eval_job(chunks.level, &mut job);
             }
+            let is_value_wanted = !args.value.data.is_null();
+            let is_pdf_wanted = !args.pdf.data.is_null();
+            let density = chunk.column_mut(&args.pdf, &mut pdf);
+            let mut job = EvalJob {
+                wo,
+                wi,
+                varying,
+                lobes,
+                value: is_value_wanted.then(|| chunk.columns_mut(&args.value, &mut value)),
+                pdf: is_pdf_wanted.then_some(density),
+            };
+            if is_value_wanted || is_pdf_wanted {
+                bsdf.eval_job(chunks.level, &mut job);
+            }
+            chunk.write(&args.value, &value);
+            chunk.write(&args.pdf, &pdf);
+            chunk.write(&args.pdf_reverse, &pdf_reverse);
         }
-    });
+    }
     Ok(())
 }
 
@@ -185,51 +184,50 @@ pub unsafe fn sample(bsdf: &Bsdf, args: &SampleArgs, level: Level) -> Result<(),
         args.lobe_probability.target(1, count),
     ];
     let is_direct = are_apart(&inputs, &varying, &outputs, count);
-    let chunks = Chunks::new(count, is_direct, level);
+    let longest = varying.longest_chunk(SAMPLE_CHUNK);
+    let chunks = Chunks::new(count, longest, is_direct, level);
     let lobes = bsdf.wanted_lobes(&args.call);
-    let (mut wo, mut u) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
-    let (mut wi, mut weight) = ([Column::EMPTY; 3], [Column::EMPTY; 3]);
-    let [mut pdf, mut eta, mut lobe, mut probability] = [[Column::EMPTY]; 4];
-    let [mut flags, mut numbers_of_lobes] = [[Column::EMPTY]; 2];
-    with_room(varying.floats(), |numbers| {
-        for chunk in chunks.iter() {
-            // SAFETY: as in `eval`.
-            unsafe {
-                let mut slices = [&[][..]; MAX_FLOATS];
-                let mut job = SampleJob {
-                    wo: chunk.columns(&args.wo, &mut wo),
-                    u: chunk.columns(&args.u, &mut u),
-                    varying: bsdf.varying_columns(varying.read(&chunk, numbers, &mut slices)),
-                    lobes,
-                    transport: args.call.transport,
-                    wi: chunk.columns_mut(&args.wi, &mut wi),
-                    weight: chunk.columns_mut(&args.weight, &mut weight),
-                    pdf: chunk.column_mut(&args.pdf, &mut pdf),
-                    eta: chunk.column_mut(&args.eta, &mut eta),
-                    lobe: chunk.scratch(&mut lobe),
-                    lobe_probability: chunk.scratch(&mut probability),
-                };
-                bsdf.sample_job(chunks.level, &mut job);
-                if !(args.flags.data.is_null() && args.lobe.data.is_null()) {
-                    let mut flags_column = chunk.column_mut(&args.flags, &mut flags);
-                    let mut number_column = chunk.column_mut(&args.lobe, &mut numbers_of_lobes);
-                    let found = chunk.numbers(&lobe).iter().zip(chunk.numbers(&probability));
-                    for (i, (lobe, probability)) in found.enumerate() {
-                        number_column.set(i, *lobe as u32);
-                        let flags = bsdf.sampled_flags(*lobe as usize, *probability > 0.0);
-                        flags_column.set(i, flags.0);
-                    }
-                    chunk.write(&args.flags, &flags);
-                    chunk.write(&args.lobe, &numbers_of_lobes);
+    let [mut wo, mut u, mut wi, mut weight] = [[Column::<f32, SAMPLE_CHUNK>::EMPTY; 3]; 4];
+    let [mut pdf, mut eta, mut lobe, mut probability] = [[Column::<f32, SAMPLE_CHUNK>::EMPTY]; 4];
+    let [mut flags, mut numbers_of_lobes] = [[Column::<u32, SAMPLE_CHUNK>::EMPTY]; 2];
+    let mut numbers = Room::EMPTY;
+    for chunk in chunks.iter() {
+        // SAFETY: as in `eval`.
+        unsafe {
+            let mut slices = [&[][..]; MAX_FLOATS];
+            let mut job = SampleJob {
+                wo: chunk.columns(&args.wo, &mut wo),
+                u: chunk.columns(&args.u, &mut u),
+                varying: bsdf.varying_columns(varying.read(&chunk, &mut numbers, &mut slices)),
+                lobes,
+                transport: args.call.transport,
+                wi: chunk.columns_mut(&args.wi, &mut wi),
+                weight: chunk.columns_mut(&args.weight, &mut weight),
+                pdf: chunk.column_mut(&args.pdf, &mut pdf),
+                eta: chunk.column_mut(&args.eta, &mut eta),
+                lobe: chunk.scratch(&mut lobe),
+                lobe_probability: chunk.scratch(&mut probability),
+            };
+            bsdf.sample_job(chunks.level, &mut job);
+            if !(args.flags.data.is_null() && args.lobe.data.is_null()) {
+                let mut flags_column = chunk.column_mut(&args.flags, &mut flags);
+                let mut number_column = chunk.column_mut(&args.lobe, &mut numbers_of_lobes);
+                let found = chunk.numbers(&lobe).iter().zip(chunk.numbers(&probability));
+                for (i, (lobe, probability)) in found.enumerate() {
+                    number_column.set(i, *lobe as u32);
+                    let flags = bsdf.sampled_flags(*lobe as usize, *probability > 0.0);
+                    flags_column.set(i, flags.0);
                 }
-                chunk.copy_out(&args.lobe_probability, &probability);
-                chunk.write(&args.wi, &wi);
-                chunk.write(&args.weight, &weight);
-                chunk.write(&args.pdf, &pdf);
-                chunk.write(&args.eta, &eta);
+                chunk.write(&args.flags, &flags);
+                chunk.write(&args.lobe, &numbers_of_lobes);
             }
+            chunk.copy_out(&args.lobe_probability, &probability);
+            chunk.write(&args.wi, &wi);
+            chunk.write(&args.weight, &weight);
+            chunk.write(&args.pdf, &pdf);
+            chunk.write(&args.eta, &eta);
         }
-    });
+    }
     Ok(())
 }
 

@@ -1,12 +1,25 @@
 //! The varying parameters of a batch.
 
-use super::chunk::{Chunk, Column};
+use super::chunk::{Chunk, LANES};
 use super::view::{ConstView, Span, check_reach};
 use crate::bsdf::{Bsdf, MAX_VARYING};
 use crate::error::Error;
+use std::mem::MaybeUninit;
 
 /// The greatest number of components of all varying parameters together.
 pub(super) const MAX_FLOATS: usize = 3 * MAX_VARYING;
+
+/// The numbers that a [`Room`] holds.
+const NUMBERS: usize = 2048;
+
+/// A buffer for the components of a chunk's elements. With many components chunks are shorter, because callers may
+/// have small stacks. It is not initialised before it is used.
+#[repr(C, align(64))]
+pub(super) struct Room([MaybeUninit<f32>; NUMBERS]);
+
+impl Room {
+    pub const EMPTY: Self = Self([MaybeUninit::uninit(); NUMBERS]);
+}
 
 /// The views of the varying parameters.
 pub(super) struct VaryingViews<'a> {
@@ -35,13 +48,13 @@ impl<'a> VaryingViews<'a> {
         Ok(Self { bsdf, views })
     }
 
-    /// The number of components given per element.
-    pub fn floats(&self) -> usize {
+    /// The number of elements of a chunk: `most`, or fewer if a [`Room`] does not hold their components; a multiple
+    /// of [`LANES`].
+    pub fn longest_chunk(&self, most: usize) -> usize {
         if self.views.is_empty() {
-            0
-        } else {
-            self.bsdf.varying_floats()
+            return most;
         }
+        most.min(NUMBERS / self.bsdf.varying_floats() / LANES * LANES)
     }
 
     /// The address range of each view.
@@ -57,16 +70,18 @@ impl<'a> VaryingViews<'a> {
     pub unsafe fn read<'b, 'c>(
         &self,
         chunk: &Chunk,
-        room: &'b mut [Column<f32>],
+        room: &'b mut Room,
         slices: &'c mut [&'b [f32]; MAX_FLOATS],
     ) -> &'c [&'b [f32]] {
-        let mut rest = room;
+        let mut rest = &mut room.0[..];
+        let length = chunk.padded();
         let mut first = 0;
         for (view, varying) in self.views.iter().zip(self.bsdf.varying()) {
             let (components, own) = (varying.defaults.len(), varying.defaults);
-            let (room, after) = rest.split_at_mut(components);
+            let (room, after) = rest.split_at_mut(components * length);
             let slices = &mut slices[first..first + components];
-            for (c, (slice, room)) in slices.iter_mut().zip(room).enumerate() {
+            let rooms = room.chunks_exact_mut(length);
+            for (c, (slice, room)) in slices.iter_mut().zip(rooms).enumerate() {
                 // SAFETY: the caller vouches for it.
                 *slice = unsafe { component(chunk, view, c, own[c], room) };
             }
@@ -88,7 +103,7 @@ unsafe fn component<'a>(
     view: &ConstView,
     c: usize,
     default: f32,
-    room: &'a mut Column<f32>,
+    room: &'a mut [MaybeUninit<f32>],
 ) -> &'a [f32] {
     let one = if view.data.is_null() {
         ConstView {
@@ -105,16 +120,4 @@ unsafe fn component<'a>(
     };
     // SAFETY: the caller vouches for all elements; the default outlives the copy.
     unsafe { chunk.read(&one, room) }
-}
-
-/// Calls `f` with buffers for `floats` components on the stack.
-pub(super) fn with_room(floats: usize, f: impl FnOnce(&mut [Column<f32>])) {
-    const FEW: usize = 4;
-    const SOME: usize = 12;
-    match floats {
-        0 => f(&mut []),
-        1..=FEW => f(&mut [Column::EMPTY; FEW][..floats]),
-        5..=SOME => f(&mut [Column::EMPTY; SOME][..floats]),
-        _ => f(&mut [Column::EMPTY; MAX_FLOATS][..floats]),
-    }
 }

@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::description::Description;
 use super::info::{Flags, LobeInfo, ModelInfo, ParamInfo};
-use super::job::{Direction, EvalJob, SampleJob, are_uniform, is_above, is_unit};
+use super::job::{Direction, EvalJob, SampleJob, are_uniform, unit};
 use super::kernel::Kernel;
 use super::lobes::{LobeSet, MAX_LOBES, PerLobe};
 use super::precision::Precision;
@@ -66,6 +66,7 @@ pub struct Varying<'a, T: Precision = f32> {
 ///
 /// Invalid input gives 0: NaN or infinity, a `varying` of a wrong length, a varying direction with z <= 0,
 /// random numbers outside [0, 1), directions whose length is not 1 to within 1e-3, and directions with z <= 0.
+/// Other directions are normalised unless they are unit to rounding.
 /// A BSDF with TRANSMISSION among its [`Bsdf::flags`] also takes directions with z < 0, on the side of the base.
 pub struct Bsdf<T: Precision = f32> {
     info: &'static ModelInfo,
@@ -162,6 +163,7 @@ impl<T: Precision> Bsdf<T> {
     }
 
     /// f(wo, wi) |wi.z|.
+    #[inline(always)]
     pub fn eval(&self, wo: T::Vector, wi: T::Vector, varying: Option<&[T]>, call: &Call) -> Rgb<T> {
         self.at_pair(wo, wi, varying, call, |wo, wi, varying, lobes| {
             self.kernel.eval(wo, wi, varying, lobes)
@@ -235,6 +237,7 @@ impl<T: Precision> Bsdf<T> {
     }
 
     /// Samples a direction from three uniform numbers in [0, 1). The first one chooses the lobe.
+    #[inline(always)]
     pub fn sample(
         &self,
         wo: T::Vector,
@@ -313,16 +316,13 @@ impl<T: Precision> Bsdf<T> {
         }
     }
 
-    /// The direction, if its length is 1 to within 1e-3 and it is on a side that light reaches.
+    /// The direction with unit length, if its length is 1 to within 1e-3 and it is on a side that light reaches.
     #[inline(always)]
     fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
-        let w = Vec3::from_array(w.into());
-        let is_valid = if self.is_two_sided {
-            is_unit(w) && w.z != T::new(0.0)
-        } else {
-            is_above(w)
-        };
-        is_valid.then_some(w)
+        let (w, is_accepted) = unit(Vec3::from_array(w.into()));
+        let zero = T::new(0.0);
+        let is_seen = w.z > zero || self.is_two_sided && w.z < zero;
+        (is_accepted && is_seen).then_some(w)
     }
 }
 

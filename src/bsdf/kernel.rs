@@ -1,7 +1,7 @@
 //! A compiled model behind a pointer. Every call of a BSDF makes one virtual call, of this trait.
 
 use super::call::Transport;
-use super::job::{Direction, EvalJob, SampleJob, are_uniform, is_above, is_unit};
+use super::job::{Direction, EvalJob, SampleJob, are_uniform, unit};
 use super::lobes::{LobeSet, PerLobe};
 use super::varying::VaryingValues;
 use crate::num::{Lane, Level, Rgb, Vec3};
@@ -94,8 +94,9 @@ where
     let (varying, lobes, transport) = (job.varying, job.lobes, job.transport);
     let is_two_sided = kernel.is_two_sided();
     job.run_each(|element, wo, u| {
-        let is_valid = is_above(wo) || is_two_sided && is_unit(wo) && wo.z.lt(T::new(0.0));
-        if is_valid && are_uniform(u) {
+        let (wo, is_accepted) = unit(wo);
+        let is_seen = wo.z.gt(T::new(0.0)) || is_two_sided && wo.z.lt(T::new(0.0));
+        if is_accepted && is_seen && are_uniform(u) {
             kernel.sample(wo, u, &varying.element(element), lobes, transport)
         } else {
             Direction::none()

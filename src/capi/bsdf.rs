@@ -9,6 +9,7 @@ use super::bsdf_types::{
 };
 use super::c_types::size_t;
 use super::film;
+use super::float_control::Traps;
 use super::text::text;
 use super::types::{PELLICLE_KIND_DIRECTION, PELLICLE_KIND_NUMBER, PellicleBsdf, PellicleStatus};
 use crate::bsdf::{Bsdf, Description, ParamKind};
@@ -19,14 +20,19 @@ use std::sync::Arc;
 /// The object behind a handle: the BSDF, and its texts for C callers.
 pub(super) struct BsdfHandle {
     pub bsdf: Bsdf,
+    traps: Traps,
     plan: CString,
 }
 
 /// A handle with one reference. Hidden: for tests that make a BSDF in Rust and call it as C does.
 #[doc(hidden)]
 pub fn bsdf_handle(bsdf: Bsdf) -> *mut PellicleBsdf {
+    handle_under(Traps::NONE, bsdf)
+}
+
+fn handle_under(traps: Traps, bsdf: Bsdf) -> *mut PellicleBsdf {
     let plan = CString::new(bsdf.plan()).unwrap_or_default();
-    let handle = Arc::new(BsdfHandle { bsdf, plan });
+    let handle = Arc::new(BsdfHandle { bsdf, traps, plan });
     Arc::into_raw(handle).cast_mut().cast()
 }
 
@@ -47,13 +53,14 @@ pub unsafe extern "C" fn pellicle_bsdf_create(
     desc_size: size_t,
     bsdf: *mut *mut PellicleBsdf,
 ) -> PellicleStatus {
+    let traps = Traps::of_caller();
     guard(|| {
         require(bsdf, "bsdf")?;
         // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is a valid
         // PellicleBsdfDesc.
         unsafe {
             let desc = read_growing(desc, desc_size, "desc")?;
-            let handle = bsdf_handle(Bsdf::new(&description(&desc)?)?);
+            let handle = handle_under(traps, Bsdf::new(&description(&desc)?)?);
             bsdf.write_unaligned(handle);
         }
         Ok(())
@@ -179,6 +186,17 @@ pub unsafe extern "C" fn pellicle_bsdf_lobe(
         }
         Ok(())
     })
+}
+
+/// The traps that were unmasked where a handle was made; none for NULL.
+///
+/// # Safety
+/// `bsdf` must be NULL or a live handle.
+#[inline(always)]
+pub(super) unsafe fn traps(bsdf: *const PellicleBsdf) -> Traps {
+    // SAFETY: a live handle came from Arc::into_raw of an Arc<BsdfHandle>.
+    let handle = unsafe { bsdf.cast::<BsdfHandle>().as_ref() };
+    handle.map_or(Traps::NONE, |handle| handle.traps)
 }
 
 /// The object behind a handle.

@@ -1,7 +1,7 @@
 //! Single calls of a BSDF.
 
-use super::boundary::{check_output, guard, numbers, require, write_growing};
-use super::bsdf::handle;
+use super::boundary::{check_output, guard, guard_call, numbers, require, write_growing};
+use super::bsdf::{handle, traps};
 use super::bsdf_types::PellicleSample;
 use super::c_types::size_t;
 use super::call::call_options;
@@ -34,40 +34,45 @@ pub unsafe extern "C" fn pellicle_bsdf_eval(
     pdf: *mut f32,
     pdf_reverse: *mut f32,
 ) -> PellicleStatus {
-    guard(|| {
-        // SAFETY: the caller vouches for the handle and the lengths of the arrays.
-        unsafe {
-            let bsdf = &handle(bsdf)?.bsdf;
-            let wo = numbers::<3>(wo, "wo")?.into();
-            let wi = numbers::<3>(wi, "wi")?.into();
-            let mut room = MaybeUninit::uninit();
-            let varying = varying_numbers(bsdf, varying, &mut room);
-            let call = call_options(call)?;
-            // Each set of outputs has a path of its own, on which results stay in registers.
-            if pdf_reverse.is_null() && pdf.is_null() {
-                require(value, "value (and pdf and pdf_reverse)")?;
-                write_rgb(value, bsdf.eval(wo, wi, varying, &call));
-                return Ok(());
-            }
-            if pdf_reverse.is_null() {
-                let (rgb, density) = bsdf.eval_pdf(wo, wi, varying, &call);
-                if !value.is_null() {
-                    write_rgb(value, rgb);
+    // SAFETY: NULL or a live handle, as the caller vouches.
+    guard_call(
+        unsafe { traps(bsdf) },
+        #[inline(always)]
+        move || {
+            // SAFETY: the caller vouches for the handle and the lengths of the arrays.
+            unsafe {
+                let bsdf = &handle(bsdf)?.bsdf;
+                let wo = numbers::<3>(wo, "wo")?.into();
+                let wi = numbers::<3>(wi, "wi")?.into();
+                let mut room = MaybeUninit::uninit();
+                let varying = varying_numbers(bsdf, varying, &mut room);
+                let call = call_options(call)?;
+                // Each set of outputs has a path of its own, on which results stay in registers.
+                if pdf_reverse.is_null() && pdf.is_null() {
+                    require(value, "value (and pdf and pdf_reverse)")?;
+                    write_rgb(value, bsdf.eval(wo, wi, varying, &call));
+                    return Ok(());
                 }
-                pdf.write_unaligned(density);
-                return Ok(());
+                if pdf_reverse.is_null() {
+                    let (rgb, density) = bsdf.eval_pdf(wo, wi, varying, &call);
+                    if !value.is_null() {
+                        write_rgb(value, rgb);
+                    }
+                    pdf.write_unaligned(density);
+                    return Ok(());
+                }
+                let found = bsdf.evaluate(wo, wi, varying, &call);
+                if !value.is_null() {
+                    write_rgb(value, found.value);
+                }
+                if !pdf.is_null() {
+                    pdf.write_unaligned(found.pdf);
+                }
+                pdf_reverse.write_unaligned(found.pdf_reverse);
             }
-            let found = bsdf.evaluate(wo, wi, varying, &call);
-            if !value.is_null() {
-                write_rgb(value, found.value);
-            }
-            if !pdf.is_null() {
-                pdf.write_unaligned(found.pdf);
-            }
-            pdf_reverse.write_unaligned(found.pdf_reverse);
-        }
-        Ok(())
-    })
+            Ok(())
+        },
+    )
 }
 
 /// Samples a direction to the light. `u`: 3 uniform random numbers in [0, 1); the first chooses the
@@ -86,30 +91,35 @@ pub unsafe extern "C" fn pellicle_bsdf_sample(
     sample: *mut PellicleSample,
     sample_size: size_t,
 ) -> PellicleStatus {
-    guard(|| {
-        check_output(sample, sample_size, "sample")?;
-        // SAFETY: the caller vouches for the handle, the lengths of the arrays and `sample_size`.
-        unsafe {
-            let bsdf = &handle(bsdf)?.bsdf;
-            let wo = numbers::<3>(wo, "wo")?.into();
-            let u = numbers::<3>(u, "u")?.into();
-            let mut room = MaybeUninit::uninit();
-            let varying = varying_numbers(bsdf, varying, &mut room);
-            let call = call_options(call)?;
-            let sampled = bsdf.sample(wo, u, varying, &call);
-            let filled = PellicleSample {
-                wi: sampled.wi.to_array(),
-                pdf: sampled.pdf,
-                weight: sampled.weight,
-                eta: sampled.eta,
-                flags: sampled.flags.0,
-                lobe: sampled.lobe as u32,
-                lobe_probability: sampled.lobe_probability,
-            };
-            write_growing(sample, sample_size, &filled);
-        }
-        Ok(())
-    })
+    // SAFETY: NULL or a live handle, as the caller vouches.
+    guard_call(
+        unsafe { traps(bsdf) },
+        #[inline(always)]
+        move || {
+            check_output(sample, sample_size, "sample")?;
+            // SAFETY: the caller vouches for the handle, the lengths of the arrays and `sample_size`.
+            unsafe {
+                let bsdf = &handle(bsdf)?.bsdf;
+                let wo = numbers::<3>(wo, "wo")?.into();
+                let u = numbers::<3>(u, "u")?.into();
+                let mut room = MaybeUninit::uninit();
+                let varying = varying_numbers(bsdf, varying, &mut room);
+                let call = call_options(call)?;
+                let sampled = bsdf.sample(wo, u, varying, &call);
+                let filled = PellicleSample {
+                    wi: sampled.wi.to_array(),
+                    pdf: sampled.pdf,
+                    weight: sampled.weight,
+                    eta: sampled.eta,
+                    flags: sampled.flags.0,
+                    lobe: sampled.lobe as u32,
+                    lobe_probability: sampled.lobe_probability,
+                };
+                write_growing(sample, sample_size, &filled);
+            }
+            Ok(())
+        },
+    )
 }
 
 /// Integrates the value over wi, Dirac lobes included: the directional albedo, RGB, into `albedo` (3

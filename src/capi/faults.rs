@@ -286,6 +286,21 @@ fn a_panic_in_any_entry_point_is_reported_and_harms_nothing() {
     }
 }
 
+/// A panic under another rounding than the default leaves that rounding as it was.
+#[cfg(all(target_arch = "x86_64", not(miri)))]
+#[test]
+fn a_panic_leaves_the_floating_point_state() {
+    let handles = Handles::new();
+    for (name, call) in calls() {
+        let mut outputs = Outputs::new();
+        let mut status = PELLICLE_OK;
+        IS_ARMED.set(true);
+        let is_kept = super::float_control::is_kept_by(|| status = call(&handles, &mut outputs));
+        assert_eq!(status, PELLICLE_INTERNAL, "{name}");
+        assert!(is_kept, "{name}");
+    }
+}
+
 /// Functions that return no status: a panic in them ends there.
 #[test]
 fn a_panic_without_a_status_ends_in_the_call() {

@@ -6,6 +6,7 @@ use super::boundary::{
 use super::c_types::size_t;
 use super::film_description::film_description;
 use super::film_types::{PellicleFilmDesc, PellicleFilmInfo, PellicleFilmPlan};
+use super::float_control::Traps;
 use super::text::text;
 use super::types::{PellicleFilm, PellicleStatus};
 use crate::error::Error;
@@ -18,6 +19,7 @@ use std::sync::Arc;
 pub(super) struct FilmHandle {
     pub film: Arc<Film>,
     pub level: Level,
+    traps: Traps,
     reason: CString,
 }
 
@@ -27,7 +29,16 @@ pub(super) struct FilmHandle {
 /// `UnknownName` for a `simd_level` that this processor does not have.
 #[doc(hidden)]
 pub fn film_handle(film: Arc<Film>, simd_level: Option<&str>) -> Result<*mut PellicleFilm, Error> {
+    handle_under(Traps::NONE, film, simd_level)
+}
+
+fn handle_under(
+    traps: Traps,
+    film: Arc<Film>,
+    simd_level: Option<&str>,
+) -> Result<*mut PellicleFilm, Error> {
     let handle = Arc::new(FilmHandle {
+        traps,
         level: simd_level.map_or_else(|| Ok(Level::widest()), Level::named)?,
         reason: CString::new(film.plan().reason.as_str()).unwrap_or_default(),
         film,
@@ -51,6 +62,7 @@ pub unsafe extern "C" fn pellicle_film_create(
     desc_size: size_t,
     film: *mut *mut PellicleFilm,
 ) -> PellicleStatus {
+    let traps = Traps::of_caller();
     guard(|| {
         require(film, "film")?;
         // SAFETY: checked for NULL by the callees; the caller vouches for sizes and counts. Zero is a valid
@@ -62,7 +74,7 @@ pub unsafe extern "C" fn pellicle_film_create(
             // Before the film is compiled, which takes time.
             simd_level.as_deref().map(Level::named).transpose()?;
             let compiled = Arc::new(Film::new(&description)?);
-            film.write_unaligned(film_handle(compiled, simd_level.as_deref())?);
+            film.write_unaligned(handle_under(traps, compiled, simd_level.as_deref())?);
         }
         Ok(())
     })
@@ -156,6 +168,17 @@ pub unsafe extern "C" fn pellicle_film_plan(
         }
         Ok(())
     })
+}
+
+/// The traps that were unmasked where a handle was made; none for NULL.
+///
+/// # Safety
+/// `film` must be NULL or a live handle.
+#[inline(always)]
+pub(super) unsafe fn traps(film: *const PellicleFilm) -> Traps {
+    // SAFETY: a live handle came from Arc::into_raw of an Arc<FilmHandle>.
+    let handle = unsafe { film.cast::<FilmHandle>().as_ref() };
+    handle.map_or(Traps::NONE, |handle| handle.traps)
 }
 
 /// The object behind a handle.

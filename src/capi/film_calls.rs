@@ -1,8 +1,9 @@
 //! Single calls of a film.
 
-use super::boundary::{elements, guard, guard_status, refuse_null, require};
+use super::boundary::{elements, guard, guard_call, guard_call_status, refuse_null, require};
 use super::c_types::size_t;
-use super::film::{FilmHandle, handle};
+use super::film::{FilmHandle, handle, traps};
+use super::float_control::Traps;
 use super::types::{
     PELLICLE_OK, PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE, PellicleFilm, PellicleStatus,
 };
@@ -27,16 +28,23 @@ pub unsafe extern "C" fn pellicle_film_reflectance(
     // Tested before the guard, in which the two numbers would move from their registers to memory: a tenth of
     // the call's time.
     if film.is_null() || rgb.is_null() {
-        return guard_status(|| refuse_null(if film.is_null() { "film" } else { "rgb" }));
+        return guard_call_status(Traps::NONE, || {
+            refuse_null(if film.is_null() { "film" } else { "rgb" })
+        });
     }
-    guard_status(|| {
-        // SAFETY: not NULL; the caller vouches for the handle and for 3 numbers.
-        unsafe {
-            let film = &(*film.cast::<FilmHandle>()).film;
-            write(rgb, film.reflectance(cos_theta, thickness_nm));
-        }
-        PELLICLE_OK
-    })
+    // SAFETY: a live handle, as the caller vouches.
+    guard_call_status(
+        unsafe { traps(film) },
+        #[inline(always)]
+        move || {
+            // SAFETY: not NULL; the caller vouches for the handle and for 3 numbers.
+            unsafe {
+                let film = &(*film.cast::<FilmHandle>()).film;
+                write(rgb, film.reflectance(cos_theta, thickness_nm));
+            }
+            PELLICLE_OK
+        },
+    )
 }
 
 /// Reflectance and transmittance of unpolarised light from either side, as fractions of its power,
@@ -58,24 +66,30 @@ pub unsafe extern "C" fn pellicle_film_eval(
     reflectance: *mut f32,
     transmittance: *mut f32,
 ) -> PellicleStatus {
-    guard(|| {
-        if transmittance.is_null() {
-            require(reflectance, "reflectance (and transmittance)")?;
-        }
-        // SAFETY: the caller vouches for the handle and for 3 numbers each.
-        unsafe {
-            let colors = handle(film)?
-                .film
-                .colors(known_side(side)?, cos_theta, thickness_nm)?;
-            if !reflectance.is_null() {
-                write(reflectance, colors.reflectance);
+    // SAFETY: NULL or a live handle, as the caller vouches.
+    guard_call(
+        unsafe { traps(film) },
+        #[inline(always)]
+        move || {
+            if transmittance.is_null() {
+                require(reflectance, "reflectance (and transmittance)")?;
             }
-            if !transmittance.is_null() {
-                write(transmittance, colors.transmittance);
+            // SAFETY: the caller vouches for the handle and for 3 numbers each.
+            unsafe {
+                let colors =
+                    handle(film)?
+                        .film
+                        .colors(known_side(side)?, cos_theta, thickness_nm)?;
+                if !reflectance.is_null() {
+                    write(reflectance, colors.reflectance);
+                }
+                if !transmittance.is_null() {
+                    write(transmittance, colors.transmittance);
+                }
             }
-        }
-        Ok(())
-    })
+            Ok(())
+        },
+    )
 }
 
 /// What pellicle_film_reflectance() approximates: the reflectance by full wave optics, converged and

@@ -19,6 +19,7 @@ mod film;
 mod film_calls;
 mod film_description;
 mod film_types;
+mod float_control;
 mod last_error;
 mod medium;
 mod text;

@@ -1,7 +1,7 @@
 //! The smooth `film` model: what it can be made of, and how its thickness is given.
 
 use crate::common::calls::Calls;
-use crate::common::films::{Kind, compiled, constant, medium};
+use crate::common::films::{Kind, compiled, constant};
 use crate::common::{degrees, rng, uniforms, visible};
 use crate::film_lobes::{REFLECTION, assert_colors, on};
 use glam::Vec3;

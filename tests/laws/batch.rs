@@ -83,8 +83,9 @@ fn direction(rng: &mut impl Rng) -> Vec3 {
         6 => Vec3::new(0.6, 0.8, 1e-30),
         7 => Vec3::new(0.6, 0.8, f32::from_bits(1)),
         8 => Vec3::Z,
-        9 => w * 1.0004,
-        10 => Vec3::new(f32::MAX, 0.0, 0.1),
+        9..=14 => w * rng.random_range(0.9985..1.0015),
+        15 => w * (1.0 + rng.random_range(-3e-6..3e-6)),
+        16 => Vec3::new(f32::MAX, 0.0, 0.1),
         _ => w,
     }
 }

@@ -10,6 +10,7 @@ mod call_options;
 mod chi_square;
 #[path = "../common/mod.rs"]
 mod common;
+mod lengths;
 mod registry;
 mod specialised;
 mod strided;

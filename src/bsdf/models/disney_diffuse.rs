@@ -96,6 +96,8 @@ impl<T: Precision> Compiled<T> for DisneySurface<T> {
 }
 
 impl<L: Lane> Surface<L> for DisneySurface<L> {
+    const SAMPLES_ARE_UNIT: bool = true;
+
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [L; 3]) {
         match param {

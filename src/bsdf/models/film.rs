@@ -122,7 +122,7 @@ impl<T: Precision> Refraction<T> {
 
     /// The direction of the light that leaves along wo after refraction, and the index on its side over
     /// that on wo's side; `None` beyond the critical angle. The direction is normalised, because refraction
-    /// out of a dense base would magnify the error of a wo whose length is 1 only to within 1e-3.
+    /// out of a dense base magnifies what rounding has left of the length of wo.
     #[inline(always)]
     fn behind(&self, wo: Vec3<T>) -> Option<(Vec3<T>, T)> {
         let back = wo.scaled(T::new(-1.0));

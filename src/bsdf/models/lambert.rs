@@ -56,6 +56,8 @@ impl<T: Precision> Compiled<T> for LambertSurface<T> {
 }
 
 impl<L: Lane> Surface<L> for LambertSurface<L> {
+    const SAMPLES_ARE_UNIT: bool = true;
+
     #[inline(always)]
     fn vary(&mut self, _param: usize, value: [L; 3]) {
         self.reflectance = value;

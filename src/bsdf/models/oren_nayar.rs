@@ -210,6 +210,8 @@ impl<T: Precision> Compiled<T> for OrenNayarSurface<T> {
 }
 
 impl<L: Lane> Surface<L> for OrenNayarSurface<L> {
+    const SAMPLES_ARE_UNIT: bool = true;
+
     #[inline(always)]
     fn vary(&mut self, param: usize, value: [L; 3]) {
         match param {
