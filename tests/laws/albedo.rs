@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Samples that tell where a surface is bright.
-const SAMPLES: usize = 5_000;
+const SAMPLES: usize = 20_000;
 
 /// Difference in the worst channel, relative to the greatest channel.
 fn error(description: &Description, theta: f64) -> f64 {
