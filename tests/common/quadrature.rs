@@ -88,7 +88,7 @@ impl Patch {
     }
 
     /// Those of the points (z, phi) that lie in the patch.
-    pub fn inside(self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    fn inside(self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let is_inside = |[z, phi]: &[f64; 2]| {
             (self.z[0]..self.z[1]).contains(z) && (self.phi[0]..self.phi[1]).contains(phi)
         };
