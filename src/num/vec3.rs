@@ -78,10 +78,13 @@ impl<T: Real> Vec3<T> {
         self.scaled(T::new(1.0) / self.length_squared().sqrt())
     }
 
-    /// The direction that leaves a mirror with unit normal `n` when light arrives along `-self`.
+    /// The direction that leaves a mirror with unit normal `n` when light arrives along `-self`. It is 2 (w.n) n /
+    /// |n|^2 - w with 1 / |n|^2 = 2 - |n|^2, to first order: what rounding has left of the length of `n` would be
+    /// four times as much in the squared length of the result.
     #[inline(always)]
     pub fn mirrored_about(self, n: Self) -> Self {
-        let twice = self.dot(n) * T::new(2.0);
+        let two = T::new(2.0);
+        let twice = self.dot(n) * two * (two - n.length_squared());
         n.scaled(twice).minus(self)
     }
 
