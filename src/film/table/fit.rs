@@ -16,9 +16,10 @@ pub(in crate::film) type Fitted = (SplineTable, Errors);
 const FOUND: f64 = 0.5;
 /// A table whose error is below this part of the allowed one is made smaller.
 const WASTED: f64 = 0.3;
-/// A film is given up if its error is above this part of the error two sizes before: where values lie closer and
-/// the error does not fall, the colours have a step, and the larger tables would all fail.
-const STALLED: f64 = 0.8;
+/// A film is given up if its error is above this part of the error three sizes before: where values lie closer and
+/// the error does not fall, the colours have a step, and the larger tables would all fail. One or two sizes in vain
+/// prove nothing, since each may enlarge the wrong coordinate alone.
+const STALLED: f64 = 0.97;
 /// The number of sizes that are tried.
 const ATTEMPTS: usize = 8;
 
@@ -76,7 +77,7 @@ fn grown(
     let limits = task.limits;
     let allowed = FOUND * limits.tolerance;
     let mut larger_fit: Option<Fitted> = None;
-    let mut before = [f64::INFINITY; 2];
+    let mut before = [f64::INFINITY; 3];
     for _ in 0..ATTEMPTS {
         let [width, height] = counts;
         if width * height > limits.size {
@@ -99,7 +100,7 @@ fn grown(
         if larger_fit.is_some() || max > STALLED * before[0] {
             break;
         }
-        before = [before[1], max];
+        before = [before[1], before[2], max];
         // The greatest error is attributed to the worse coordinate, and the other one's is in
         // proportion.
         let share = max / across.max(along).max(f64::MIN_POSITIVE);
