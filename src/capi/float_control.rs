@@ -1,8 +1,9 @@
 //! The floating-point state of the calling thread. Rust, like C without `FENV_ACCESS`, assumes the default
 //! rounding (to nearest) and masked exceptions: the boundary sets both where a host has changed them.
 //!
-//! Flush-to-zero and denormals-are-zero stay as the host has them. The x87 unit has a state of its own, which
-//! the library does not use: neither its code nor the mathematics of the C library that it calls on x86-64 Linux.
+//! Flush-to-zero and denormals-are-zero stay as the host has them. The x87 unit has a state of its own. The library's
+//! code and the C library's mathematics on x86-64 Linux do not use that unit, but MinGW's mathematics do: on Windows
+//! its rounding and masks are set and restored too.
 
 /// Calls `body` under the default rounding with exceptions masked. The host's state, its exception flags
 /// included, is restored afterwards, also if `body` panics. It is behind a pointer, so that no arithmetic of it can
@@ -21,15 +22,19 @@ pub(super) fn under_default<R>(body: &mut dyn FnMut() -> R) -> R {
 /// in `f` may depend on the rounding but calls of entry points.
 #[cfg(all(test, target_arch = "x86_64", not(miri)))]
 pub(super) fn is_kept_by(f: impl FnOnce()) -> bool {
-    const FLAGS: register::Bits = 0x3F;
-    const UPWARD: register::Bits = 0x4000;
-    let before = register::read() | UPWARD;
-    let restored = Restored(register::read());
+    const FLAGS: u32 = 0x3F;
+    const UPWARD: u32 = 0x4000;
+    let host = register::read();
+    let before = register::Bits {
+        mxcsr: host.mxcsr | UPWARD,
+        ..host
+    };
+    let restored = Restored(host);
     register::write(before);
     f();
     let after = register::read();
     drop(restored);
-    after & !FLAGS == before & !FLAGS
+    (after.mxcsr & !FLAGS, after.x87) == (before.mxcsr & !FLAGS, before.x87)
 }
 
 /// Whether traps were unmasked where a handle was made. Hosts that unmask them do so when they start.
@@ -62,37 +67,64 @@ impl Drop for Restored {
     }
 }
 
-/// MXCSR: Intel 64 manual, volume 1, section 10.2.3.
+/// MXCSR: Intel 64 manual, volume 1, section 10.2.3; the x87 control word: section 8.1.5.
 #[cfg(all(target_arch = "x86_64", not(miri)))]
 mod register {
     use std::arch::asm;
 
-    pub type Bits = u32;
+    #[derive(Clone, Copy)]
+    pub struct Bits {
+        pub mxcsr: u32,
+        /// The x87 control word; the default where the library does not use that unit.
+        pub x87: u16,
+    }
 
-    /// The masks of the six exceptions, bits 7 to 12.
-    const MASKS: Bits = 0x1F80;
+    /// The masks of the six exceptions in MXCSR, bits 7 to 12.
+    const MASKS: u32 = 0x1F80;
     /// The rounding, bits 13 and 14; 0 is to nearest.
-    const ROUNDING: Bits = 0x6000;
+    const ROUNDING: u32 = 0x6000;
     /// The flags of exceptions that have occurred, bits 0 to 5.
-    const FLAGS: Bits = 0x3F;
+    const FLAGS: u32 = 0x3F;
+    /// The masks in the x87 control word, bits 0 to 5.
+    const X87_MASKS: u16 = 0x3F;
+    /// Its rounding, bits 10 and 11; 0 is to nearest.
+    const X87_ROUNDING: u16 = 0xC00;
 
     #[inline(always)]
     pub fn read() -> Bits {
-        let mut bits: Bits = 0;
-        // SAFETY: writes four bytes to `bits`.
-        unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut bits, options(nostack, preserves_flags)) };
-        bits
+        let mut mxcsr: u32 = 0;
+        // SAFETY: writes four bytes to `mxcsr`.
+        unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut mxcsr, options(nostack, preserves_flags)) };
+        let x87 = if cfg!(windows) { read_x87() } else { X87_MASKS };
+        Bits { mxcsr, x87 }
+    }
+
+    #[inline(always)]
+    fn read_x87() -> u16 {
+        let mut control: u16 = 0;
+        // SAFETY: writes two bytes to `control`.
+        unsafe { asm!("fnstcw [{}]", in(reg) &raw mut control, options(nostack, preserves_flags)) };
+        control
     }
 
     #[inline(always)]
     pub fn write(bits: Bits) {
         // SAFETY: reads four bytes; the reserved bits are as `read` found them.
-        unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const bits, options(nostack, preserves_flags)) };
+        unsafe {
+            asm!("ldmxcsr [{}]", in(reg) &raw const bits.mxcsr, options(nostack, preserves_flags));
+        }
+        if cfg!(windows) {
+            // SAFETY: reads two bytes. Flags are cleared first: one whose trap is unmasked would fire.
+            unsafe {
+                asm!("fnclex", "fldcw [{}]", in(reg) &raw const bits.x87, options(nostack, preserves_flags));
+            }
+        }
     }
 
     #[inline(always)]
     pub fn is_default(bits: Bits) -> bool {
-        bits & (MASKS | ROUNDING) == MASKS
+        bits.mxcsr & (MASKS | ROUNDING) == MASKS
+            && bits.x87 & (X87_MASKS | X87_ROUNDING) == X87_MASKS
     }
 
     /// Whether a test finds the default, without reading MXCSR, which takes 15 cycles on Zen 4. The control word of
@@ -101,16 +133,11 @@ mod register {
     /// -0.75 becomes negative and -0.25 does not.
     #[inline(always)]
     pub fn looks_default(has_traps: bool) -> bool {
-        /// The masks in the x87 control word, bits 0 to 5.
-        const X87_MASKS: u16 = 0x3F;
         #[repr(align(16))]
         struct Tried([f32; 4]);
         static TRIED: Tried = Tried([-0.75, -0.25, -0.75, -0.25]);
-        let mut control: u16 = 0;
-        // SAFETY: writes two bytes to `control`.
-        unsafe { asm!("fnstcw [{}]", in(reg) &raw mut control, options(nostack, preserves_flags)) };
         // Before the conversion, which would be inexact.
-        if control & X87_MASKS != X87_MASKS || has_traps {
+        if read_x87() & X87_MASKS != X87_MASKS || has_traps {
             return false;
         }
         let signs: u32;
@@ -130,7 +157,10 @@ mod register {
 
     /// The default, with flush-to-zero and denormals-are-zero as in `bits`.
     pub fn default_beside(bits: Bits) -> Bits {
-        bits & !(ROUNDING | FLAGS) | MASKS
+        Bits {
+            mxcsr: bits.mxcsr & !(ROUNDING | FLAGS) | MASKS,
+            x87: bits.x87 & !X87_ROUNDING | X87_MASKS,
+        }
     }
 }
 
