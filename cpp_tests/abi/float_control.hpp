@@ -47,7 +47,14 @@ inline void write(Bits bits) {
     __asm__ volatile("msr fpsr, %0" ::"r"(bits >> 32) : "memory");
     __asm__ volatile("msr fpcr, %0" ::"r"(bits & 0xFFFFFFFF) : "memory");
 }
-inline Bits trapping(Bits bits) { return (bits & ~flags) | 0x9F00; }
+// Without traps, as in most processors and in qemu, the register keeps none of the bits that enable them.
+inline Bits trapping(Bits bits) {
+    const Bits before = read();
+    write(before | 0x9F00);
+    const Bits enabled = read() & 0x9F00;
+    write(before);
+    return (bits & ~flags) | enabled;
+}
 inline bool is_trapping(Bits bits) { return bits & 0x9F00; }
 inline void unmask_x87(bool) {}
 
