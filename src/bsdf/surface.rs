@@ -10,7 +10,7 @@ use crate::num::{Lane, Rgb, Vec3, warp};
 /// discarded. A returned direction that has z <= 0 or is null means that there is no sample.
 pub trait Surface<L: Lane> {
     /// Whether sampled directions are unit to rounding, whatever rounding has left of the length of wo. Others are
-    /// normalised if need be, which takes 3 to 9 ns in a single call.
+    /// looked at, and normalised where they are not.
     const SAMPLES_ARE_UNIT: bool = false;
 
     /// Replaces the value of a parameter that varies per call. All three components of a scalar are equal;
