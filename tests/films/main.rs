@@ -9,6 +9,7 @@ mod common;
 mod compiled;
 mod film_lobes;
 mod limits;
+mod narrow_ranges;
 mod plan;
 mod plan_cases;
 mod plan_refusals;

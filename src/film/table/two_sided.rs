@@ -1,5 +1,6 @@
 //! The tables of a film, for light from either side.
 
+use super::axes::LEAST_NM;
 use super::errors::Errors;
 use super::fit::{self, Fitted};
 use super::spline::SplineTable;
@@ -261,6 +262,13 @@ fn color(table: &SplineTable, x: f64, thickness_nm: f32) -> Rgb<f32> {
     f32::channels(table.at(x as f32, thickness_nm))
 }
 
+/// The range of a table's thickness: its ends in single precision, in which it is looked up, and never so narrow
+/// that steps per nm are beyond single precision.
+fn table_range(thickness_nm: [f64; 2]) -> [f64; 2] {
+    let [least, greatest] = thickness_nm.map(|x| f64::from(x as f32));
+    [least, greatest.max(least + LEAST_NM)]
+}
+
 /// A table over the cosine in a medium of index `index`, or over kappa / (kappa + cos) if that is
 /// `None`.
 fn fitted(
@@ -284,7 +292,7 @@ fn fitted(
     });
     fit::over_both(&mut FitTask {
         source,
-        range: layer.thickness_nm,
+        range: table_range(layer.thickness_nm),
         tilt,
         is_costly: description.layers.len() > 1,
         limits,

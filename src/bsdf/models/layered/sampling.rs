@@ -11,7 +11,7 @@ use super::terms::Shapes;
 use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, normalized};
 use crate::bsdf::surface::Surface;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, warp};
-use crate::optics::schlick;
+use crate::optics::{schlick, schlick_transmittance};
 
 impl<T: Lane> Surface<T> for LayeredSurface<T> {
     #[inline(always)]
@@ -148,9 +148,9 @@ impl<T: Lane> LayeredSurface<T> {
         let critical = self.upper.interface.critical_cosine_squared().sqrt();
         let distance = (axis.z - critical) * (e1 + T::Rgb::new(2.0)).sqrt();
         let inside = half + half * distance / (one + distance.squared()).sqrt();
-        let exit = smooth_cosine(e1, self.upper.interface.outside(axis).z).min(one);
-        let crossings =
-            (one - schlick(self.upper.f0, wo.z.gray())) * (one - schlick(self.upper.f0, exit));
+        let exit = smooth_cosine(e1, self.exit_cosine(wo, &b, &n1)).min(one);
+        let crossings = schlick_transmittance(self.upper.f0, wo.z.gray())
+            * schlick_transmittance(self.upper.f0, exit);
         let lobe = estimated_integral(e1, axis.z.max(critical)) * inside;
         // In `paper` the lobe is a density of directions inside the layer, where they are denser than
         // outside.
@@ -162,5 +162,19 @@ impl<T: Lane> LayeredSurface<T> {
         let scale = (self.scale_transmission * T::new(1.0 / 3.0)).gray();
         let shares = scale * self.base * crossings * lobe * density;
         T::Rgb::select(b.z.gt(zero) & b.dot(n1).gt(zero), shares, zero)
+    }
+
+    /// The cosine outside of the ray b that n1 mirrors; 0 if it is totally reflected. With z = b.z + rise after the
+    /// mirroring it follows from z^2 - b.z^2 = rise (2 b.z + rise) and b.z^2 - complement = (ratio wo.z)^2, so that
+    /// nothing cancels where the boundaries are parallel and wo is at the horizon.
+    #[inline(always)]
+    fn exit_cosine(&self, wo: Vec3<T>, b: &Vec3<T::Rgb>, n1: &Vec3<T::Rgb>) -> T::Rgb {
+        let two = T::Rgb::new(2.0);
+        let along = n1.x * b.x + n1.y * b.y;
+        let tilt_squared = n1.x.squared() + n1.y.squared();
+        let rise = two * (n1.z * along - b.z * tilt_squared);
+        let ratio = self.upper.interface.ratio();
+        let squared = (ratio * wo.z.gray()).squared() + rise * (two * b.z + rise);
+        squared.sqrt_positive() / ratio
     }
 }

@@ -124,7 +124,7 @@ impl<T: Precision> Average<T> {
         match (self, fresnel) {
             (Self::Constant(mean), _) => each!(*mean, |channel| L::splat(channel)),
             (Self::Film(table), Fresnel::Film { thickness_nm, .. }) => table.at(*thickness_nm),
-            (_, Fresnel::Schlick { f0, f90 }) => {
+            (_, Fresnel::Schlick { f0, f90, .. }) => {
                 L::channels(*f0 + (*f90 - *f0) * L::new(1.0 / 21.0).gray())
             }
             // No other pair exists.

@@ -7,14 +7,19 @@ use crate::film::{Film, FilmDescription};
 use crate::num::{Lane, Real, Rgb, each};
 use crate::optics::{
     ConductorPolynomial, Medium, conductor_reflectance, dielectric_reflectance, schlick_between,
+    schlick_falling,
 };
 use std::sync::Arc;
 
 /// The Fresnel factor for one call.
 #[derive(Clone, Copy)]
 pub(super) enum Fresnel<'a, T: Lane> {
-    /// Schlick's approximation.
-    Schlick { f0: T::Rgb, f90: T::Rgb },
+    /// Schlick's approximation. `falls` tells that f90 may be less than f0.
+    Schlick {
+        f0: T::Rgb,
+        f90: T::Rgb,
+        falls: bool,
+    },
     /// The exact reflectance of a dielectric. `is_gray` tells that all channels have the same index.
     Dielectric { eta: T::Rgb, is_gray: bool },
     /// The exact reflectance of a conductor with one index eta + i k per channel.
@@ -31,7 +36,12 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
     pub fn reflectance(&self, cos_theta: L) -> Rgb<L> {
         let cosines = cos_theta.gray();
         match *self {
-            Self::Schlick { f0, f90 } => L::channels(schlick_between(f0, f90, cosines)),
+            Self::Schlick {
+                f0,
+                f90,
+                falls: false,
+            } => L::channels(schlick_between(f0, f90, cosines)),
+            Self::Schlick { f0, f90, .. } => L::channels(schlick_falling(f0, f90, cosines)),
             // In lanes, equal channels are computed once. In single calls the channels share a register, so
             // that there is nothing to save.
             Self::Dielectric { eta, is_gray: true } if L::COUNT > 1 => {
@@ -70,7 +80,11 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
 /// The compiled Fresnel factor, which owns the film.
 pub(super) enum CompiledFresnel<T: Lane> {
     /// [`Fresnel::Schlick`]
-    Schlick { f0: T::Rgb, f90: T::Rgb },
+    Schlick {
+        f0: T::Rgb,
+        f90: T::Rgb,
+        falls: bool,
+    },
     /// [`Fresnel::Dielectric`]
     Dielectric { eta: T::Rgb, is_gray: bool },
     /// [`Fresnel::Conductor`]
@@ -111,9 +125,10 @@ impl<T: Precision> CompiledFresnel<T> {
     pub fn fresnel<L: Lane<Scalar = T>>(&self) -> Fresnel<'_, L> {
         let splat = L::splat_rgb;
         match *self {
-            Self::Schlick { f0, f90 } => Fresnel::Schlick {
+            Self::Schlick { f0, f90, falls } => Fresnel::Schlick {
                 f0: splat(f0),
                 f90: splat(f90),
+                falls,
             },
             Self::Dielectric { eta, is_gray } => Fresnel::Dielectric {
                 eta: splat(eta),

@@ -268,10 +268,19 @@ fn distribution<T: Precision, N: Precision>(values: &Values<T>) -> Distribution<
 fn fresnel<T: Precision>(values: &Values<T>) -> Result<CompiledFresnel<T>, Error> {
     let rgb = |param| T::rgb(values.rgb(param));
     Ok(match values.choice(FRESNEL) {
-        SCHLICK => CompiledFresnel::Schlick {
-            f0: rgb(F0),
-            f90: rgb(F90),
-        },
+        SCHLICK => {
+            let greatest_f0 = if values.varies(F0) {
+                [T::new(1.0); 3]
+            } else {
+                values.rgb(F0)
+            };
+            let mut f90_and_f0 = values.rgb(F90).into_iter().zip(greatest_f0);
+            CompiledFresnel::Schlick {
+                f0: rgb(F0),
+                f90: rgb(F90),
+                falls: f90_and_f0.any(|(f90, f0)| f90 < f0),
+            }
+        }
         DIELECTRIC => {
             let [r, g, b] = values.rgb(ETA);
             CompiledFresnel::Dielectric {
