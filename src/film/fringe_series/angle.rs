@@ -152,6 +152,24 @@ impl StackAtAngle {
     }
 }
 
+impl StackAtAngle {
+    /// Whether the four wavenumbers resolve every resonance of the layers above and below the summed one: no
+    /// denominator changes between neighbours by more than its own magnitude.
+    pub(super) fn is_resolved(&self) -> bool {
+        let denominators = self.terms.iter().flat_map(|terms| terms.denominators);
+        denominators.into_iter().all(|z| {
+            let [re, im] = [z.re.to_array(), z.im.to_array()];
+            (1..F64x4::COUNT).all(|i| {
+                let change = (re[i] - re[i - 1]).hypot(im[i] - im[i - 1]);
+                let [a, b] = [i - 1, i].map(|i| re[i].hypot(im[i]));
+                // NaN, where a scale has overflowed, counts as resolved.
+                let is_narrow = change > a.min(b);
+                !is_narrow
+            })
+        })
+    }
+}
+
 impl BeamTerms {
     /// The terms with the damping of the amplitude on a round trip, decay = exp(exponent).
     #[inline(always)]

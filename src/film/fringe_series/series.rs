@@ -68,8 +68,12 @@ pub(in crate::film) struct FringeSeries {
     most_path: f64,
     /// Whether indices are the same at all wavenumbers and there is at most one layer.
     is_uniform: bool,
+    /// Whether nothing absorbs.
+    is_lossless: bool,
     /// Whether the relative index of the half-spaces depends on the wavelength.
     has_branches: bool,
+    /// Whether wavenumbers are chosen for every angle so that they resolve the resonances of the other layers.
+    is_graded: bool,
 }
 
 /// A series at one angle, ready for any thickness of the summed layer.
@@ -91,7 +95,7 @@ impl SeriesAtAngle<'_> {
         let mut sums = ChannelSums::default();
         let wavenumbers = &self.spectrum.wavenumbers;
         sums.add_all(&self.stacks, wavenumbers, thickness_nm, truncation);
-        sums.colors()
+        self.series.colors(&sums)
     }
 }
 
@@ -126,13 +130,23 @@ impl FringeSeries {
                 .then(|| summed.map_or(0.0, |layer| ranges[layer][0])),
             most_path: 2.0 * MOST_GROUP * most_index,
             is_uniform: ranges.len() < 2 && is_constant,
+            is_lossless: media.iter().all(|medium| !medium.absorbs()),
             has_branches: description.disperses() && !description.base.absorbs(),
             spectrum,
             media,
             weights,
             summed,
             ranges,
+            is_graded: false,
         })
+    }
+
+    /// The same series with wavenumbers that resolve the resonances of all layers but the summed one, at every angle.
+    pub(in crate::film) fn graded(self) -> Self {
+        Self {
+            is_graded: true,
+            ..self
+        }
     }
 
     /// The colours at one angle and thickness (nm, of the layer that varies; ignored if none does). `cos_theta` is
@@ -154,7 +168,7 @@ impl FringeSeries {
             let mut stack = [StackAtAngle::default()];
             self.fill(spectrum, &mut stack, 0, side, cos_theta);
             sums.add_all(&stack, &spectrum.wavenumbers, thickness_nm, truncation);
-            return sums.colors();
+            return self.colors(&sums);
         }
         let mut stacks = [StackAtAngle::default(); BLOCK];
         for (block, wavenumbers) in spectrum.wavenumbers.chunks(BLOCK).enumerate() {
@@ -162,7 +176,21 @@ impl FringeSeries {
             self.fill(spectrum, stacks, block * BLOCK, side, cos_theta);
             sums.add_all(stacks, wavenumbers, thickness_nm, truncation);
         }
-        sums.colors()
+        self.colors(&sums)
+    }
+
+    /// The colours of sums. Where nothing absorbs R is 1 - T, which is exact at resonances behind total reflection,
+    /// narrower than any distance of wavenumbers.
+    #[inline(always)]
+    fn colors(&self, sums: &ChannelSums) -> Colors<f64> {
+        let colors = sums.colors();
+        if !self.is_lossless {
+            return colors;
+        }
+        Colors {
+            reflectance: colors.transmittance.map(|t| 1.0 - t),
+            ..colors
+        }
     }
 
     /// The series at an angle, for any thickness. `cos_theta` is measured in the half-space that the light
@@ -198,14 +226,32 @@ impl FringeSeries {
 
     /// The wavenumbers at a cosine with branch points; `None` if there are none, or if there is no memory for them.
     fn between_branches(&self, side: Side, cos_theta: f64) -> Option<Spectrum> {
-        if !self.has_branches {
-            return None;
+        let branches = if self.has_branches {
+            branches(&self.media, &self.spectrum, side, cos_theta)
+        } else {
+            Vec::new()
+        };
+        let count = self.spectrum.count;
+        if self.is_graded {
+            return Some(Spectrum::in_cells(
+                &self.media,
+                &self.weights,
+                &branches,
+                count,
+                |wavenumbers, indices| {
+                    let media = StackMedia {
+                        side,
+                        indices,
+                        ranges: &self.ranges,
+                        summed: self.summed,
+                    };
+                    StackAtAngle::new(media, cos_theta, wavenumbers.sigma).is_resolved()
+                },
+            ));
         }
-        let branches = branches(&self.media, &self.spectrum, side, cos_theta);
         if branches.is_empty() {
             return None;
         }
-        let count = self.spectrum.count;
         Spectrum::between_branches(&self.media, &self.weights, &branches, count).ok()
     }
 
@@ -266,7 +312,7 @@ impl FringeSeries {
         // infinite.
         let between = |node: usize| {
             let [a, b] = [node, node + 1].map(|node| spectrum.sigma(node));
-            let path = (b * turns(node + 1) - a * turns(node)).abs() / (b - a);
+            let path = ((b * turns(node + 1) - a * turns(node)) / (b - a)).abs();
             path.min(self.most_path)
         };
         let last = spectrum.count - 1;

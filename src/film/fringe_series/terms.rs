@@ -29,6 +29,8 @@ pub(super) struct BeamTerms {
     /// ln |g|, and the angle of -g in turns.
     pub ln_g: F64x4,
     pub turn: F64x4,
+    /// The denominators of r_top and of the reflection at the layers below: both are small near a resonance.
+    pub denominators: [Complex<F64x4>; 2],
 }
 
 impl StackMedia<'_> {
@@ -148,6 +150,7 @@ impl Surroundings {
             through: flux * self.decay / forward.norm_squared().max(least),
             ln_g: g.norm_squared().max(least).ln() * F64x4::new(0.5),
             turn: angle_turns(-g.im, -g.re),
+            denominators: [p + q, sum],
         }
     }
 }

@@ -9,10 +9,11 @@ use crate::film::table::errors::Errors;
 use crate::optics::Reference;
 use crate::optics::stack::Side;
 
-/// The least and the greatest number of wavenumbers that is tried; each is half as large again as the
-/// one before.
-const LEAST_WAVENUMBERS: usize = 32;
-const MOST_WAVENUMBERS: usize = 1600;
+/// The searches for a series: whether it is graded, and the least and the greatest number of wavenumbers, each half
+/// as large again as the one before. A graded series takes longer for each angle, but wants fewer wavenumbers where
+/// resonances are narrow.
+const SEARCHES: [(bool, [usize; 2]); 3] =
+    [(false, [32, 400]), (true, [32, 300]), (false, [400, 1600])];
 /// A series is compared with the next one at this number of points and at all pairs of the following
 /// cosines and thicknesses: parts of the range, and thicknesses (nm) at which thin metals resonate or
 /// many fringes have not yet faded.
@@ -46,30 +47,48 @@ pub(super) fn converged(
     let points: Vec<_> = corners(description)
         .chain(points(description, POINTS))
         .collect();
-    let mut count = LEAST_WAVENUMBERS;
-    let coarse = FringeSeries::new(description, count)?;
-    let mut values = evaluated(&coarse, &points);
-    let mut best: Option<(FringeSeries, f64)> = None;
-    while best.as_ref().is_none_or(|(_, max)| *max > tolerance) && count < MOST_WAVENUMBERS {
-        count += count / 2;
-        let fine = FringeSeries::new(description, count)?;
-        let found = evaluated(&fine, &points);
-        let error = greatest(description, &values, &found) / FASTER;
-        values = found;
-        if best.as_ref().is_none_or(|(_, max)| error < *max) {
-            best = Some((fine, error));
+    let seldom: Vec<_> = points.iter().step_by(SELDOM).copied().collect();
+    let mut truth: Option<Vec<Colors<f64>>> = None;
+    let mut error_of = |found: &[Colors<f64>], before: &[Colors<f64>]| {
+        let mut error = greatest(description, before, found) / FASTER;
+        if error <= tolerance {
+            let truth = truth.get_or_insert_with(|| {
+                let exact = |&(side, c, d): &(Side, f64, f64)| {
+                    Colors::from(reference.evaluate(side, c, &description.thicknesses(d)))
+                };
+                seldom.iter().map(exact).collect()
+            });
+            let same: Vec<_> = found.iter().step_by(SELDOM).copied().collect();
+            error = error.max(greatest(description, &same, truth));
+        }
+        error
+    };
+    let mut best = (
+        FringeSeries::new(description, SEARCHES[0].1[0])?,
+        f64::INFINITY,
+    );
+    for (is_graded, [least, most]) in SEARCHES {
+        let series = |count| {
+            let series = FringeSeries::new(description, count)?;
+            Ok::<_, Error>(if is_graded { series.graded() } else { series })
+        };
+        let mut count = least;
+        let mut values = evaluated(&series(count)?, &points);
+        while count < most {
+            count += count / 2;
+            let fine = series(count)?;
+            let found = evaluated(&fine, &points);
+            let error = error_of(&found, &values);
+            values = found;
+            if error < best.1 {
+                best = (fine, error);
+            }
+            if error <= tolerance {
+                return Ok(best);
+            }
         }
     }
-    let (series, mut error) = best.unwrap_or((coarse, f64::INFINITY));
-    if error <= tolerance {
-        let seldom: Vec<_> = points.iter().step_by(SELDOM).copied().collect();
-        let truth = seldom.iter().map(|&(side, c, d)| {
-            Colors::from(reference.evaluate(side, c, &description.thicknesses(d)))
-        });
-        let truth: Vec<_> = truth.collect();
-        error = error.max(greatest(description, &evaluated(&series, &seldom), &truth));
-    }
-    Ok((series, error))
+    Ok(best)
 }
 
 /// The greatest difference of a series and one with half as many wavenumbers again, at `count` points and

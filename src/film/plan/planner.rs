@@ -20,7 +20,7 @@ const MOST_VALUES: usize = 1 << 17;
 /// measuring such a table takes some 0.3 seconds, and several are tried.
 const MOST_WORK: usize = 20_000_000;
 /// The part of the tolerance that the series may be off by where tables are filled with it.
-const FILLING: f64 = 0.1;
+const FILLING: f64 = 0.15;
 /// The number of points at which a method is measured against the series, and against the reference.
 const POINTS: usize = 3000;
 pub(in crate::film) const SLOW_POINTS: usize = 60;

@@ -3,9 +3,9 @@
 use super::critical::centres;
 use super::errors::Errors;
 use super::film_table::{FilmTable, MIDDLE_NM, Over};
+use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};
-use super::two_sided::SeriesSampler;
 use crate::error::Error;
 use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;

@@ -33,6 +33,14 @@ pub(super) struct Centre {
     width: f64,
 }
 
+impl Centre {
+    /// Grazing incidence, where films thinner than a wavelength have narrow features.
+    pub const GRAZING: Self = Self {
+        cosine: 0.0,
+        width: 1e-4,
+    };
+}
+
 /// Maps cosines in [0, 1] to [0, 1]. Around a critical cosine c0 of width w the colours are smooth functions of
 ///
 /// ```text

@@ -3,9 +3,9 @@
 use super::critical::{centres, near_and_far};
 use super::errors::Errors;
 use super::film_table::{FilmTable, MIDDLE_NM, Over};
+use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};
-use super::two_sided::SeriesSampler;
 use crate::error::Error;
 use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;
@@ -19,7 +19,7 @@ use crate::optics::stack::Side;
 pub(in crate::film) struct DispersingSides {
     front: OneSide,
     /// `None` if no light is asked for from the base.
-    back: Option<OneSide>,
+    back: Option<Box<OneSide>>,
 }
 
 /// The tables of one side.
@@ -27,7 +27,7 @@ pub(in crate::film) struct DispersingSides {
 struct OneSide {
     reflectance: FilmTable,
     /// `None`: 1 - reflectance, as nothing absorbs.
-    transmittance: Option<FilmTable>,
+    transmittance: Option<Box<FilmTable>>,
 }
 
 impl DispersingSides {
@@ -47,7 +47,7 @@ impl DispersingSides {
             if back.is_none() {
                 return Ok(None);
             }
-            back
+            back.map(Box::new)
         } else {
             None
         };
@@ -60,8 +60,10 @@ impl DispersingSides {
     }
 
     fn tables(&self) -> impl Iterator<Item = &FilmTable> {
-        let sides = std::iter::once(&self.front).chain(&self.back);
-        sides.flat_map(|side| std::iter::once(&side.reflectance).chain(&side.transmittance))
+        let sides = std::iter::once(&self.front).chain(self.back.as_deref());
+        sides.flat_map(|side| {
+            std::iter::once(&side.reflectance).chain(side.transmittance.as_deref())
+        })
     }
 
     pub(super) fn bytes(&self) -> usize {
@@ -126,7 +128,7 @@ impl OneSide {
         }
         Ok(Some(Self {
             reflectance,
-            transmittance,
+            transmittance: transmittance.map(Box::new),
         }))
     }
 

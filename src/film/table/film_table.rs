@@ -4,6 +4,7 @@ use super::axes::LEAST_NM;
 use super::critical::{Centre, CriticalAxis};
 use super::errors::Errors;
 use super::fit;
+use super::patches::{PatchSource, Patches};
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits, FitTask};
 use crate::error::Error;
@@ -13,16 +14,35 @@ use crate::num::{Lane, Rgb};
 /// The wavelength whose indices decide where total reflection begins and how fringes bend, nm: near the
 /// eye's greatest sensitivity.
 pub(super) const MIDDLE_NM: f64 = 550.0;
+/// At smaller cosines than this, films thinner than [`LEAST_NM`] have no tolerance.
+const LEAST_VANISHING_COSINE: f64 = 1e-4;
 /// Below 1, so that thicknesses stay finite where light in the film goes along it.
 const GREATEST_TILT: f64 = 0.9;
 
 /// A table, with the coordinate of its cosines where that is not the cosine itself.
 #[derive(Clone, Debug)]
-pub(super) struct FilmTable {
-    axis: Option<Box<CriticalAxis>>,
-    spline: SplineTable,
-    /// The least thickness, nm.
-    from: f64,
+pub(super) enum FilmTable {
+    /// One spline over the cosine.
+    Plain(SplineTable),
+    /// One spline, or many, over a coordinate that spreads the critical angles.
+    Warped(Box<Warped>),
+}
+
+/// A table over the coordinate of an axis, and over the product of thickness and the cosine in the layer.
+#[derive(Clone, Debug)]
+pub(super) struct Warped {
+    axis: CriticalAxis,
+    /// Least and greatest thickness, nm.
+    range: [f64; 2],
+    shape: Shape,
+}
+
+#[derive(Clone, Debug)]
+enum Shape {
+    /// One spline over both.
+    Spline(SplineTable),
+    /// Patches over the axis and the root of the path's part of its range.
+    Patches(Patches),
 }
 
 /// What a table is over, besides the thickness.
@@ -48,63 +68,146 @@ impl FilmTable {
         };
         let tilt = tilt(description, index);
         if centres.is_empty() {
-            let fitted = fitted(description, source, range, tilt.min(GREATEST_TILT), limits)?;
-            return Ok(fitted.map(|(spline, errors)| {
-                let table = Self {
-                    axis: None,
-                    spline,
-                    from: range[0],
-                };
-                (table, errors)
-            }));
-        }
-        let axis = CriticalAxis::new(&centres, tilt);
-        let mut last = (f64::NAN, 0.0, 1.0);
-        let mut warped = |x: f64, path: f64| {
-            if last.0 != x {
-                let c = axis.cosine(x);
-                last = (x, c, axis.upright(c));
+            let plain = fitted(description, source, range, tilt.min(GREATEST_TILT), limits)?;
+            if let Some((spline, errors)) = plain {
+                return Ok(Some((Self::Plain(spline), errors)));
             }
-            source(last.1, range[0] + (path - range[0]) / last.2)
-        };
-        let fitted = fitted(description, &mut warped, range, 0.0, limits)?;
-        Ok(fitted.map(|(spline, errors)| {
-            let table = Self {
-                axis: Some(Box::new(axis)),
-                spline,
-                from: range[0],
-            };
-            (table, errors)
-        }))
+        } else {
+            let axis = CriticalAxis::new(&centres, tilt);
+            let warped = Warped::fit(description, source, axis, range, limits)?;
+            if let Some((warped, errors)) = warped {
+                return Ok(Some((Self::Warped(Box::new(warped)), errors)));
+            }
+        }
+        let centres: Vec<Centre> = centres.into_iter().chain([Centre::GRAZING]).collect();
+        let axis = CriticalAxis::new(&centres, tilt);
+        let patches = Warped::fit_patches(source, axis, range, limits)?;
+        Ok(patches.map(|(warped, errors)| (Self::Warped(Box::new(warped)), errors)))
     }
 
     /// The colours at a cosine and a thickness within its range, nm.
     #[inline(always)]
     pub fn at(&self, cos_theta: f64, thickness_nm: f32) -> Rgb<f32> {
-        let (x, thickness_nm) = match &self.axis {
-            None => (cos_theta, thickness_nm),
-            Some(axis) => {
-                let path = (f64::from(thickness_nm) - self.from) * axis.upright(cos_theta);
-                (axis.coordinate(cos_theta), (self.from + path) as f32)
-            }
-        };
-        f32::channels(self.spline.at(x as f32, thickness_nm))
+        match self {
+            Self::Plain(spline) => f32::channels(spline.at(cos_theta as f32, thickness_nm)),
+            Self::Warped(warped) => warped.at(cos_theta, thickness_nm),
+        }
     }
 
     /// The spline, if it is over the cosine itself.
     #[inline(always)]
     pub fn over_cosine(&self) -> Option<&SplineTable> {
-        self.axis.is_none().then_some(&self.spline)
+        match self {
+            Self::Plain(spline) => Some(spline),
+            Self::Warped(_) => None,
+        }
     }
 
     /// Bytes of the control points.
     pub fn bytes(&self) -> usize {
-        self.spline.bytes()
+        match self {
+            Self::Plain(spline) => spline.bytes(),
+            Self::Warped(warped) => match &warped.shape {
+                Shape::Spline(spline) => spline.bytes(),
+                Shape::Patches(patches) => patches.bytes(),
+            },
+        }
     }
 
     /// The number of values and where they are, in words.
     pub fn size(&self) -> String {
-        self.spline.size()
+        match self {
+            Self::Plain(spline) => spline.size(),
+            Self::Warped(warped) => match &warped.shape {
+                Shape::Spline(spline) => spline.size(),
+                Shape::Patches(patches) => format!("{} values in patches", patches.len()),
+            },
+        }
+    }
+}
+
+impl Warped {
+    fn fit(
+        description: &FilmDescription,
+        source: &mut ColorSource<'_>,
+        axis: CriticalAxis,
+        range: [f64; 2],
+        limits: FitLimits,
+    ) -> Result<Option<(Self, Errors)>, Error> {
+        let mut last = LastCosine::new(&axis);
+        let mut warped = |x: f64, path: f64| {
+            let (c, upright) = last.at(x);
+            source(c, range[0] + (path - range[0]) / upright)
+        };
+        let fitted = fitted(description, &mut warped, range, 0.0, limits)?;
+        Ok(fitted.map(|(spline, errors)| {
+            let shape = Shape::Spline(spline);
+            (Self { axis, range, shape }, errors)
+        }))
+    }
+
+    fn fit_patches(
+        source: &mut ColorSource<'_>,
+        axis: CriticalAxis,
+        range: [f64; 2],
+        limits: FitLimits,
+    ) -> Result<Option<(Self, Errors)>, Error> {
+        let [least, greatest] = range;
+        let thickness = |upright: f64, y: f64| least + y * y * (greatest - least) / upright;
+        let mut last = LastCosine::new(&axis);
+        let fitted = Patches::fit(
+            PatchSource {
+                color: &mut |x, y| {
+                    let (c, upright) = last.at(x);
+                    source(c, thickness(upright, y))
+                },
+                is_seen: &|x, y| {
+                    let c = axis.cosine(x);
+                    let d = thickness(axis.upright(c), y);
+                    // Thinner films at smaller cosines have no tolerance, see Film.
+                    let is_vanishing = d < LEAST_NM && c < LEAST_VANISHING_COSINE;
+                    d <= greatest && !is_vanishing
+                },
+            },
+            limits,
+        )?;
+        Ok(fitted.map(|(patches, errors)| {
+            let shape = Shape::Patches(patches);
+            (Self { axis, range, shape }, errors)
+        }))
+    }
+
+    fn at(&self, cos_theta: f64, thickness_nm: f32) -> Rgb<f32> {
+        let [least, greatest] = self.range;
+        let path = (f64::from(thickness_nm) - least) * self.axis.upright(cos_theta);
+        let x = self.axis.coordinate(cos_theta);
+        match &self.shape {
+            Shape::Spline(spline) => f32::channels(spline.at(x as f32, (least + path) as f32)),
+            Shape::Patches(patches) => patches.at([x, (path / (greatest - least)).sqrt()]),
+        }
+    }
+}
+
+/// The cosine of a coordinate, and its cosine in the layer; equal coordinates one after another are found once.
+struct LastCosine<'a> {
+    axis: &'a CriticalAxis,
+    last: [f64; 3],
+}
+
+impl<'a> LastCosine<'a> {
+    fn new(axis: &'a CriticalAxis) -> Self {
+        Self {
+            axis,
+            last: [f64::NAN; 3],
+        }
+    }
+
+    fn at(&mut self, x: f64) -> (f64, f64) {
+        if self.last[0] != x {
+            let c = self.axis.cosine(x);
+            self.last = [x, c, self.axis.upright(c)];
+        }
+        (self.last[1], self.last[2])
     }
 }
 

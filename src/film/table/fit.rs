@@ -20,6 +20,10 @@ const WASTED: f64 = 0.3;
 /// the error does not fall, the colours have a step, and the larger tables would all fail. One or two sizes in vain
 /// prove nothing, since each may enlarge the wrong coordinate alone.
 const STALLED: f64 = 0.97;
+/// A table of more values than this whose error is this multiple of the allowed one is given up: the colours have
+/// features that are much narrower than its steps, and patches find them with fewer values.
+const LARGE: usize = 6000;
+const HOPELESS: f64 = 12.0;
 /// The number of sizes that are tried.
 const ATTEMPTS: usize = 8;
 
@@ -97,7 +101,8 @@ fn grown(
             larger_fit = Some(fitted);
             continue;
         }
-        if larger_fit.is_some() || max > STALLED * before[0] {
+        let is_hopeless = width * height > LARGE && max > HOPELESS * allowed;
+        if larger_fit.is_some() || max > STALLED * before[0] || is_hopeless {
             break;
         }
         before = [before[1], before[2], max];

@@ -8,6 +8,8 @@ mod dispersing_sides;
 pub(super) mod errors;
 mod film_table;
 pub(super) mod fit;
+mod patches;
+mod series_sampler;
 pub(super) mod spline;
 pub(super) mod task;
 pub(super) mod two_sided;

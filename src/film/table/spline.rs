@@ -42,29 +42,10 @@ impl SplineTable {
         width: usize,
     ) -> Result<Self, Error> {
         let height = values.len() / width;
-        let row = width + 2;
-        // Control points of each row first, then of each column of those.
-        let mut along_x = reserve(row * height)?;
-        let mut fitted = Vec::new();
-        for values in values.chunks(width) {
-            controls(values, &mut fitted);
-            along_x.extend_from_slice(&fitted);
-        }
-        let mut points = reserve(row * (height + 2))?;
-        points.resize(row * (height + 2), TableEntry::default());
-        let mut column = Vec::new();
-        for i in 0..row {
-            column.clear();
-            column.extend((0..height).map(|j| along_x[j * row + i]));
-            controls(&column, &mut fitted);
-            for (j, point) in fitted.iter().enumerate() {
-                points[j * row + i] = packed(*point);
-            }
-        }
         Ok(Self {
             coordinates: axes.coordinates([width - 1, height - 1]),
-            points: points.into(),
-            row,
+            points: control_points(values, width)?.into(),
+            row: width + 2,
         })
     }
 
@@ -95,21 +76,11 @@ impl SplineTable {
     /// The colours at a [`SplineTable::position`].
     #[inline(always)]
     pub(in crate::film) fn around<L: Lane<Scalar = f32>>(&self, position: L::Rgb) -> L::Rgb {
-        let bias = L::Rgb::new(INDEX_BIAS);
-        let biased = position + bias;
-        let distance = position - (biased - bias);
-        let weights = each!(weights(distance), |weight| L::channels(weight));
-        let [column, row, _] = L::channels(biased);
-        let across = each!(weights, |[x, ..]| x);
         if self.is_over_cosine() {
+            let ([column, _], [across, _]) = nearest::<L>(position);
             return L::weighted_row(&self.points, column, across);
         }
-        let block = TableBlock {
-            first: [column, row],
-            across,
-            along: each!(weights, |[_, y, _]| y),
-        };
-        L::weighted_block(&self.points, self.row, block)
+        look_up::<L>(&self.points, self.row, position)
     }
 
     /// Whether the table is over the cosine alone.
@@ -131,6 +102,64 @@ impl SplineTable {
         let [width, height] = [self.row - 2, self.points.len() / self.row - 2];
         format!("{width} x {height} values over cosine and thickness")
     }
+}
+
+/// The colours at a position in steps along x, and along y twice, in rows of control points.
+#[inline(always)]
+pub(super) fn look_up<L: Lane<Scalar = f32>>(
+    points: &[TableEntry<f32>],
+    row: usize,
+    position: L::Rgb,
+) -> L::Rgb {
+    let (first, [across, along]) = nearest::<L>(position);
+    let block = TableBlock {
+        first,
+        across,
+        along,
+    };
+    L::weighted_block(points, row, block)
+}
+
+/// The values nearest to a position, biased, and the weights of the control points around them, along x and y.
+#[inline(always)]
+fn nearest<L: Lane<Scalar = f32>>(position: L::Rgb) -> ([L; 2], [[L; 3]; 2]) {
+    let bias = L::Rgb::new(INDEX_BIAS);
+    let biased = position + bias;
+    let distance = position - (biased - bias);
+    let weights = each!(weights(distance), |weight| L::channels(weight));
+    let [column, row, _] = L::channels(biased);
+    let across = each!(weights, |[x, ..]| x);
+    let along = each!(weights, |[_, y, _]| y);
+    ([column, row], [across, along])
+}
+
+/// The control points of the spline through values in rows of `width`: rows of `width` + 2, two more than there
+/// are rows of values. Fails if there is no memory.
+pub(super) fn control_points(
+    values: &[Rgb<f64>],
+    width: usize,
+) -> Result<Vec<TableEntry<f32>>, Error> {
+    let height = values.len() / width;
+    let row = width + 2;
+    // Control points of each row first, then of each column of those.
+    let mut along_x = reserve(row * height)?;
+    let mut fitted = Vec::new();
+    for values in values.chunks(width) {
+        controls(values, &mut fitted);
+        along_x.extend_from_slice(&fitted);
+    }
+    let mut points = reserve(row * (height + 2))?;
+    points.resize(row * (height + 2), TableEntry::default());
+    let mut column = Vec::new();
+    for i in 0..row {
+        column.clear();
+        column.extend((0..height).map(|j| along_x[j * row + i]));
+        controls(&column, &mut fitted);
+        for (j, point) in fitted.iter().enumerate() {
+            points[j * row + i] = packed(*point);
+        }
+    }
+    Ok(points)
 }
 
 fn packed(rgb: Rgb<f64>) -> TableEntry<f32> {

@@ -1,0 +1,240 @@
+//! A table in patches: where colours change within narrow regions, the patches are small.
+
+use super::errors::Errors;
+use super::spline::{control_points, look_up, reserve};
+use super::task::FitLimits;
+use crate::error::Error;
+use crate::num::spline::FARTHEST;
+use crate::num::{Lane, Rgb, TableEntry};
+
+/// The values of a patch along each coordinate.
+const VALUES: usize = 9;
+const ROW: usize = VALUES + 2;
+/// The part of the tolerance that the error found may have.
+const FOUND: f64 = 0.5;
+/// A patch is not divided further than this, as a part of the whole.
+const LEAST_EXTENT: f64 = 1e-5;
+
+/// Colours over the unit square. A tree of halvings leads to the patch of a point, each a spline through 9 x 9 values.
+#[derive(Clone, Debug)]
+pub(super) struct Patches {
+    nodes: Vec<Node>,
+    patches: Vec<Patch>,
+    /// [`ROW`] rows of as many control points for each patch.
+    points: Vec<TableEntry<f32>>,
+}
+
+/// A node of the tree.
+#[derive(Clone, Copy, Debug)]
+enum Node {
+    /// The square is halved at a coordinate, x (0) or y (1): the lower half is the next node, the upper one is `upper`.
+    Halved {
+        axis: usize,
+        at: f64,
+        upper: usize,
+    },
+    Leaf(usize),
+}
+
+/// Where a patch begins, and its values per unit of the coordinates.
+#[derive(Clone, Copy, Debug)]
+struct Patch {
+    from: [f64; 2],
+    steps: [f64; 2],
+}
+
+/// The colours at a point of the unit square, and whether they are ever looked up there.
+pub(super) struct PatchSource<'a> {
+    pub color: &'a mut dyn FnMut(f64, f64) -> Rgb<f64>,
+    pub is_seen: &'a dyn Fn(f64, f64) -> bool,
+}
+
+impl Patches {
+    /// Fits patches to a source; `None` if the limits cannot be met.
+    pub fn fit(
+        source: PatchSource<'_>,
+        limits: FitLimits,
+    ) -> Result<Option<(Self, Errors)>, Error> {
+        let mut fit = PatchFit {
+            source,
+            limits,
+            errors: Errors::default(),
+            patches: Self {
+                nodes: Vec::new(),
+                patches: Vec::new(),
+                points: Vec::new(),
+            },
+        };
+        let fits = fit.divide([0.0; 2], [1.0; 2])?;
+        Ok(fits.then_some((fit.patches, fit.errors)))
+    }
+
+    /// The colours at a point of the unit square.
+    #[inline(always)]
+    pub fn at(&self, point: [f64; 2]) -> Rgb<f32> {
+        let mut node = 0;
+        let patch = loop {
+            match self.nodes[node] {
+                Node::Halved { axis, at, upper } => {
+                    node = if point[axis] < at { node + 1 } else { upper };
+                }
+                Node::Leaf(patch) => break patch,
+            }
+        };
+        let Patch { from, steps } = self.patches[patch];
+        let [x, y] = [0, 1].map(|axis| {
+            let position = (point[axis] - from[axis]) * steps[axis];
+            position.clamp(0.0, (VALUES - 1) as f64) as f32
+        });
+        let points = &self.points[patch * ROW * ROW..][..ROW * ROW];
+        f32::channels(look_up::<f32>(points, ROW, f32::rgb([x, y, y])))
+    }
+
+    /// The number of values.
+    pub fn len(&self) -> usize {
+        self.patches.len() * VALUES * VALUES
+    }
+
+    /// Bytes of the tree and the control points.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.patches) + size_of_val(&*self.points)
+    }
+}
+
+/// The state of a fit.
+struct PatchFit<'a> {
+    source: PatchSource<'a>,
+    limits: FitLimits,
+    errors: Errors,
+    patches: Patches,
+}
+
+impl PatchFit<'_> {
+    /// Fits one patch to a rectangle, or halves it. Returns whether the limits are met.
+    fn divide(&mut self, from: [f64; 2], to: [f64; 2]) -> Result<bool, Error> {
+        if self.patches.len() + VALUES * VALUES > self.limits.size {
+            return Ok(false);
+        }
+        let extent = [to[0] - from[0], to[1] - from[1]];
+        let patch = Patch {
+            from,
+            steps: extent.map(|extent| (VALUES - 1) as f64 / extent),
+        };
+        let at = |i: f64, j: f64| {
+            let part = [i, j].map(|i| i / (VALUES - 1) as f64);
+            [0, 1].map(|axis| from[axis] + part[axis] * extent[axis])
+        };
+        let mut values = reserve(VALUES * VALUES)?;
+        values.resize(VALUES * VALUES, [0.0; 3]);
+        // Whether points are seen changes along y alone, but for the corner of vanishing films.
+        let is_seen = (0..VALUES).any(|i| {
+            [0, VALUES - 1].into_iter().any(|j| {
+                let [x, y] = at(i as f64, j as f64);
+                (self.source.is_seen)(x, y)
+            })
+        });
+        if is_seen {
+            for i in 0..VALUES {
+                for j in 0..VALUES {
+                    let [x, y] = at(i as f64, j as f64);
+                    values[j * VALUES + i] = (self.source.color)(x, y);
+                }
+            }
+        }
+        let points = control_points(&values, VALUES)?;
+        let (errors, worst) = self.measured(&points, at);
+        let allowed = FOUND * self.limits.tolerance;
+        if !is_seen || errors.max <= allowed {
+            self.errors.merge(&errors);
+            self.patches
+                .nodes
+                .push(Node::Leaf(self.patches.patches.len()));
+            self.patches.patches.push(patch);
+            self.patches.points.extend(points);
+            return Ok(true);
+        }
+        if extent.iter().all(|x| *x < LEAST_EXTENT) {
+            return Ok(false);
+        }
+        let axis = self.worse_axis(&points, at, worst, extent);
+        let node = self.patches.nodes.len();
+        self.patches.nodes.push(Node::Leaf(0));
+        let middle = 0.5 * (from[axis] + to[axis]);
+        let (mut lower, mut upper) = (to, from);
+        (lower[axis], upper[axis]) = (middle, middle);
+        if !self.divide(from, lower)? {
+            return Ok(false);
+        }
+        self.patches.nodes[node] = Node::Halved {
+            axis,
+            at: middle,
+            upper: self.patches.nodes.len(),
+        };
+        self.divide(upper, to)
+    }
+
+    /// The errors between the values of a patch, and the worst point.
+    fn measured(
+        &mut self,
+        points: &[TableEntry<f32>],
+        at: impl Fn(f64, f64) -> [f64; 2],
+    ) -> (Errors, [f64; 2]) {
+        let mut errors = Errors::default();
+        let (mut worst, mut greatest) = ([0.0; 2], -1.0);
+        for i in 0..VALUES - 1 {
+            // The two points of an interval at which the error is greatest take turns.
+            let side = |i: usize| {
+                let part = if i.is_multiple_of(2) {
+                    FARTHEST
+                } else {
+                    1.0 - FARTHEST
+                };
+                i as f64 + part
+            };
+            for j in 0..VALUES - 1 {
+                let place = [side(i), side(j)];
+                if let Some(error) = self.error(points, &at, place, &mut errors)
+                    && error > greatest
+                {
+                    (greatest, worst) = (error, place);
+                }
+            }
+        }
+        (errors, worst)
+    }
+
+    fn error(
+        &mut self,
+        points: &[TableEntry<f32>],
+        at: impl Fn(f64, f64) -> [f64; 2],
+        [i, j]: [f64; 2],
+        errors: &mut Errors,
+    ) -> Option<f64> {
+        let [x, y] = at(i, j);
+        if !(self.source.is_seen)(x, y) {
+            return None;
+        }
+        let truth = (self.source.color)(x, y);
+        let [i, j] = [i, j].map(|i| i as f32);
+        let found = f32::channels(look_up::<f32>(points, ROW, f32::rgb([i, j, j])));
+        Some(errors.add(found.map(f64::from), truth, self.limits.unclipped))
+    }
+
+    /// The axis along which the error at the worst point is greater; never one that has been divided enough.
+    fn worse_axis(
+        &mut self,
+        points: &[TableEntry<f32>],
+        at: impl Fn(f64, f64) -> [f64; 2],
+        [i, j]: [f64; 2],
+        extent: [f64; 2],
+    ) -> usize {
+        let mut aside = Errors::default();
+        let across = self.error(points, &at, [i, j.round()], &mut aside);
+        let along = self.error(points, &at, [i.round(), j], &mut aside);
+        match (extent[0] < LEAST_EXTENT, extent[1] < LEAST_EXTENT) {
+            (true, _) => 1,
+            (_, true) => 0,
+            _ => usize::from(along > across),
+        }
+    }
+}
