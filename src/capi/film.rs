@@ -133,6 +133,8 @@ pub unsafe extern "C" fn pellicle_film_info(
                 transmittance: u32::from(film.description().transmittance),
                 thickness_min_nm: min as f32,
                 thickness_max_nm: max as f32,
+                base_opaque: u32::from(film.description().is_base_opaque()),
+                base_attenuation_per_mm: film.base_attenuation_per_mm().map(|x| x as f32),
             };
             write_growing(info, info_size, &filled);
         }

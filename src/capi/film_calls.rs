@@ -51,8 +51,9 @@ pub unsafe extern "C" fn pellicle_film_reflectance(
 /// RGB. A film created without `transmittance` has neither: UNSUPPORTED.
 ///
 /// `side`: PELLICLE_SIDE_AMBIENT or PELLICLE_SIDE_BASE, where the light comes from and `cos_theta` is
-/// measured; any other: OUT_OF_RANGE. A base that absorbs sends no light: everything is 0 from its
-/// side. `cos_theta` and `thickness_nm` as in pellicle_film_reflectance(). `reflectance`,
+/// measured; any other: OUT_OF_RANGE. A base that is opaque (PellicleFilmInfo::base_opaque) sends
+/// no light: everything is 0 from its side. In one that absorbs but is not opaque, light from its side travels as if
+/// k were 0 there, which is off by the order of k. From the ambient's side `transmittance` is what enters the base. `cos_theta` and `thickness_nm` as in pellicle_film_reflectance(). `reflectance`,
 /// `transmittance`: 3 numbers each; either may be NULL if not wanted, not both.
 ///
 /// # Safety

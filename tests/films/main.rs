@@ -1,5 +1,6 @@
 //! Films: their methods, plans and tables, and the smooth `film` model that shows them.
 
+mod absorbing_base;
 mod accuracy;
 mod bsdf;
 mod bsdf_create;

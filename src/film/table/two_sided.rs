@@ -72,7 +72,7 @@ impl TwoSidedTables {
         series: &FringeSeries,
         limits: FitLimits,
     ) -> Result<Option<(Self, Errors)>, Error> {
-        let is_opaque = description.base.absorbs();
+        let is_opaque = description.is_base_opaque();
         let [ambient, base] =
             [&description.ambient, &description.base].map(|medium| medium.index(MIDDLE_NM).re);
         let rarer = if is_opaque || ambient <= base {
@@ -81,11 +81,16 @@ impl TwoSidedTables {
             Side::Base
         };
         let disperses = description.disperses();
-        // Colours are not smooth where every wavelength has its own critical angle.
-        if disperses && rarer == Side::Base {
+        // Colours are not smooth where every wavelength has its own critical angle, and what enters a base that
+        // absorbs beyond it has no table.
+        let is_tinted = description.is_base_tinted();
+        if (disperses || is_tinted) && rarer == Side::Base {
             return Ok(None);
         }
         let keeps_base = description.transmittance && !disperses;
+        if keeps_base && description.is_base_side_apart() {
+            return Ok(None);
+        }
         let denser = match rarer {
             Side::Ambient => Side::Base,
             Side::Base => Side::Ambient,
@@ -120,7 +125,8 @@ impl TwoSidedTables {
         let absorbs = description
             .layers
             .iter()
-            .any(|layer| layer.medium.absorbs());
+            .any(|layer| layer.medium.absorbs())
+            || is_tinted;
         let is_lossless = !absorbs && !is_opaque;
 
         let mut reflectance = |side: Side| {

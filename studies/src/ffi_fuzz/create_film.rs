@@ -69,6 +69,7 @@ pub fn run(data: &[u8]) {
         simd_level: null(),
         unclipped: u32::from(bytes.byte() / 64),
         transmittance: u32::from(bytes.byte() / 64),
+        base_opaque: 0,
     };
     let mut handle = Output::<*mut PellicleFilm>::new();
     // SAFETY: all that the description names is alive; counts beyond the layers are refused.
