@@ -328,6 +328,12 @@ public:
         return *this;
     }
 
+    // Film::spectrum() also answers outside the ranges of the media, where their indices are taken to be constant.
+    FilmBuilder &extrapolate() {
+        desc_.extrapolate = 1;
+        return *this;
+    }
+
     // The instructions of batches, a name out of PELLICLE_NAMES_SIMD_LEVEL, instead of the widest.
     FilmBuilder &simd_level(std::string name) {
         simd_level_ = std::move(name);

@@ -42,6 +42,7 @@ pub(super) unsafe fn film_description(desc: &PellicleFilmDesc) -> Result<FilmDes
         description.method = optional_string(desc.method, "method")?;
         description.unclipped = switch(desc.unclipped, "unclipped")?;
         description.transmittance = switch(desc.transmittance, "transmittance")?;
+        description.extrapolate = switch(desc.extrapolate, "extrapolate")?;
         description.base_opacity = base_opacity(desc.base_opaque)?;
         Ok(description)
     }

@@ -65,6 +65,9 @@ pub struct FilmDescription {
     /// Whether light that has entered the base is followed there. What is reflected and what enters, from the
     /// ambient's side, do not depend on it.
     pub base_opacity: BaseOpacity,
+    /// Answer at single wavelengths outside the ranges of the media ([`Medium::range_nm`]) too, where their indices
+    /// are taken to be constant. Colours always are those of 380-780 nm.
+    pub extrapolate: bool,
 }
 
 impl FilmDescription {
@@ -81,6 +84,7 @@ impl FilmDescription {
             unclipped: false,
             transmittance: false,
             base_opacity: BaseOpacity::ByExtinction,
+            extrapolate: false,
         }
     }
 
@@ -184,6 +188,7 @@ impl FilmDescription {
                  thickness_min_nm = thickness_max_nm"
             )));
         }
+        self.check_tables()?;
         // C callers give the tolerance in single precision.
         let least = LEAST_TOLERANCE * (1.0 - 1e-6);
         if !(least..=1.0).contains(&self.tolerance) {

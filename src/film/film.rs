@@ -212,17 +212,28 @@ impl Film {
         found.reflectance
     }
 
-    /// Reflectance of unpolarised light from the ambient's side at one vacuum wavelength (nm, > 0), for spectral
-    /// renderers; 0 for NaN. Named media are constant outside 380-780 nm. It allocates.
-    pub fn spectrum(&self, cos_theta: f64, thickness_nm: f64, wavelength_nm: f64) -> f64 {
+    /// Reflectance of unpolarised light from the ambient's side at one vacuum wavelength, nm, for spectral
+    /// renderers; 0 for a NaN of the cosine or the thickness. It allocates.
+    ///
+    /// # Errors
+    /// `OutOfRange` for a wavelength that [`FilmDescription::check_wavelength`] refuses.
+    pub fn spectrum(
+        &self,
+        cos_theta: f64,
+        thickness_nm: f64,
+        wavelength_nm: f64,
+    ) -> Result<f64, Error> {
+        self.description
+            .check_wavelength("wavelength_nm", wavelength_nm)?;
         if cos_theta.is_nan() || thickness_nm.is_nan() {
-            return 0.0;
+            return Ok(0.0);
         }
         let cos_theta = cos_theta.clamp(0.0, 1.0);
         let thicknesses = self.description.thicknesses(thickness_nm);
-        self.reference
+        Ok(self
+            .reference
             .spectrum(Side::Ambient, cos_theta, &thicknesses, wavelength_nm)
-            .unpolarized_reflectance()
+            .unpolarized_reflectance())
     }
 
     /// The ambient medium and the base, for callers that refract directions themselves.

@@ -18,7 +18,9 @@ mod fringe_series;
 mod method;
 mod plan;
 mod table;
+mod tabulated;
 mod tile;
+mod wavelengths;
 mod wavenumbers;
 
 pub use colors::Colors;

@@ -6,6 +6,7 @@ mod complex;
 mod conductor;
 mod dispersion;
 mod fresnel;
+mod fringes;
 mod media;
 mod reference;
 mod refraction;

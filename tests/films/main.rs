@@ -10,6 +10,7 @@ mod common;
 mod compiled;
 mod film_lobes;
 mod limits;
+mod measured_tables;
 mod narrow_ranges;
 mod plan;
 mod plan_cases;

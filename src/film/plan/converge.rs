@@ -32,7 +32,7 @@ const CLIMB: u32 = 40;
 /// The greatest step of the logarithms of cosine and thickness, at the start and at the end.
 const FARTHEST: f64 = 0.7;
 const NEAREST: f64 = 1e-3;
-/// One point in this number is compared with the reference.
+/// One point in this number is compared with the reference; every point, if a medium is given by a table.
 const SELDOM: usize = 9;
 
 /// The coarsest series whose error is below the tolerance where films are hardest, and that error; if
@@ -55,6 +55,7 @@ pub(super) fn converged(
         let fine = FringeSeries::new(description, count)?;
         let found = evaluated(&fine, &points);
         let error = greatest(description, &values, &found) / FASTER;
+        let error = error.max(description.unresolved(count)?);
         values = found;
         if best.as_ref().is_none_or(|(_, max)| error < *max) {
             best = Some((fine, error));
@@ -62,7 +63,9 @@ pub(super) fn converged(
     }
     let (series, mut error) = best.unwrap_or((coarse, f64::INFINITY));
     if error <= tolerance {
-        let seldom: Vec<_> = points.iter().step_by(SELDOM).copied().collect();
+        let has_tables = !description.nodes_nm()?.is_empty();
+        let seldom = if has_tables { 1 } else { SELDOM };
+        let seldom: Vec<_> = points.iter().step_by(seldom).copied().collect();
         let truth = seldom.iter().map(|&(side, c, d)| {
             Colors::from(reference.evaluate(side, c, &description.thicknesses(d)))
         });
@@ -81,6 +84,10 @@ pub(in crate::film) fn uncertainty(
     count: usize,
     allowed: f64,
 ) -> Result<f64, Error> {
+    let unresolved = description.unresolved(series.len())?;
+    if unresolved > allowed {
+        return Ok(unresolved);
+    }
     let fine = FringeSeries::new(description, series.len() + series.len() / 2)?;
     let difference = |&point: &(Side, f64, f64)| {
         let [series, fine] = [series, &fine].map(|series| evaluated(series, &[point]));
