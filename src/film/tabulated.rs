@@ -126,3 +126,56 @@ fn whole(weights: &ChannelWeights) -> [f64; 3] {
     }
     sums
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A line of that half width around 550.3 nm, in which k rises to `k`.
+    fn line(half_width: f64, k: f64) -> Medium {
+        let nm = [380.0, 550.3 - half_width, 550.3, 550.3 + half_width, 780.0];
+        Medium::table(&nm, &[1.5; 5], &[0.0, 0.0, k, 0.0, 0.0]).unwrap()
+    }
+
+    fn unresolved(medium: Medium, count: usize) -> f64 {
+        FilmDescription::new(medium).unresolved(count).unwrap()
+    }
+
+    /// A line counts with its width over a channel's, some 100 nm, until several wavenumbers lie within it.
+    #[test]
+    fn lines_narrower_than_the_wavenumbers_are_told() {
+        for count in [32, 108, 400, 1600] {
+            let found = unresolved(line(0.3, 20.0), count);
+            assert!((2e-3..2e-2).contains(&found), "{count}: {found}");
+            let narrow = unresolved(line(0.1, 20.0), count);
+            assert!((5e-4..found).contains(&narrow), "{count}: {narrow}");
+        }
+        assert!(unresolved(line(0.3, 20.0), 100_000) < 1e-4);
+        assert!(unresolved(line(30.0, 2.0), 1600) < 1e-4);
+    }
+
+    /// Faint lines are left to comparison, where a thickness does not make them strong.
+    #[test]
+    fn a_layer_is_the_more_sensitive_the_thicker_it_is() {
+        assert_eq!(unresolved(line(0.3, 0.01), 400), 0.0);
+        let base = FilmDescription::new(Medium::vacuum());
+        let film = |nm| base.clone().layer(line(0.3, 0.01), [0.0, nm]);
+        let of = |nm: f64| film(nm).unresolved(400).unwrap();
+        assert_eq!(of(10.0), 0.0);
+        assert!(of(3000.0) > 1e-3 && of(1e6) > of(3000.0));
+    }
+
+    #[test]
+    fn what_is_no_line_is_resolved() {
+        for name in ["Au", "BK7"] {
+            let exact = Medium::named(name).unwrap();
+            assert_eq!(unresolved(exact.clone(), 32), 0.0);
+            let nm: Vec<f64> = (0..=400u16).map(|i| 380.0 + f64::from(i)).collect();
+            let index: Vec<_> = nm.iter().map(|nm| exact.index(*nm)).collect();
+            let [eta, k]: [Vec<f64>; 2] = [|i: &Complex<f64>| i.re, |i: &Complex<f64>| i.im]
+                .map(|of| index.iter().map(of).collect());
+            let sampled = Medium::table(&nm, &eta, &k).unwrap();
+            assert_eq!(unresolved(sampled, 108), 0.0, "{name}");
+        }
+    }
+}

@@ -109,7 +109,7 @@ fn wave_optics_does_not_jump_from_either_side() {
 #[test]
 fn films_hold_their_tolerance_at_every_extinction() {
     for tolerance in [2e-3, 2e-4] {
-        for k in [1e-12, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1.001e-3, 1e-2] {
+        for k in [1e-12, 1e-8, 1e-5, 1e-3, 1.001e-3, 1e-2] {
             for (name, description) in films(k) {
                 let description = FilmDescription {
                     tolerance,

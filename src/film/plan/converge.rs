@@ -48,6 +48,10 @@ pub(super) fn converged(
         .collect();
     let mut count = LEAST_WAVENUMBERS;
     let coarse = FringeSeries::new(description, count)?;
+    // No number of wavenumbers is tried if the greatest is too small for the lines of a table.
+    if description.unresolved(MOST_WAVENUMBERS)? > tolerance {
+        return Ok((coarse, f64::INFINITY));
+    }
     let mut values = evaluated(&coarse, &points);
     let mut best: Option<(FringeSeries, f64)> = None;
     while best.as_ref().is_none_or(|(_, max)| *max > tolerance) && count < MOST_WAVENUMBERS {
