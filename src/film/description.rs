@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::optics::stack::Side;
-use crate::optics::{ColorSpace, Medium, White};
+use crate::optics::{ColorSpace, Medium, VISIBLE_NM, White};
 
 /// The tolerance where none is stated.
 pub const DEFAULT_TOLERANCE: f64 = 2e-3;
@@ -120,9 +120,9 @@ impl FilmDescription {
         }
     }
 
-    /// Whether a base that is not opaque absorbs enough for tables to tell: then R + T = 1 and equal reflectances
-    /// from both sides do not follow from transparent layers. Both are off by 2 k at most, but beside a denser
-    /// ambient, where light begins to go along the base, by 5 times the root of k.
+    /// Whether a base that is not opaque absorbs enough for tables to tell the sides apart: from the ambient's the
+    /// base has its complex index, from its own the real part. What is reflected and what enters differ by 2 k at
+    /// most, but beside a denser ambient, where light begins to go along the base, by 5 times the root of k.
     pub(super) fn is_base_tinted(&self) -> bool {
         const PART: f64 = 0.1;
         if self.is_base_opaque() {
@@ -138,13 +138,6 @@ impl FilmDescription {
         error > PART * self.tolerance
     }
 
-    /// Whether the transmittances of the two sides differ enough for tables to tell, which have one for both. Light
-    /// from the base's side travels in the real part of its index, so that they differ by some .2 k.
-    pub(super) fn is_base_side_apart(&self) -> bool {
-        const PART: f64 = 0.3;
-        !self.is_base_opaque() && 0.5 * self.base.greatest_extinction() > PART * self.tolerance
-    }
-
     /// The sides from which light is asked for.
     pub(super) fn sides(&self) -> &'static [Side] {
         if self.transmittance && !self.is_base_opaque() {
@@ -154,9 +147,20 @@ impl FilmDescription {
         }
     }
 
-    /// Whether a half-space disperses. Then every wavelength has its own critical angle.
+    /// Whether the relative index of the half-spaces depends on the wavelength. Then every wavelength has its own
+    /// critical angle.
     pub(super) fn disperses(&self) -> bool {
-        self.ambient.constant().is_none() || self.base.constant().is_none()
+        if self.ambient.constant().is_some() && self.base.constant().is_some() {
+            return false;
+        }
+        let [least, greatest] = VISIBLE_NM;
+        let steps = (greatest - least) / 5.0;
+        let ratio = |nm: f64| self.base.index(nm).re / self.ambient.index(nm).re;
+        let first = ratio(least);
+        (1..=steps as u32).any(|i| {
+            let ratio = ratio(least + 5.0 * f64::from(i));
+            (ratio / first - 1.0).abs() > 1e-9
+        })
     }
 
     /// One thickness per layer, nm; the varying one is clamped to its range.

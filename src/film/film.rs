@@ -160,8 +160,6 @@ impl Film {
     fn unclipped_colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
         let (c, d) = (f64::from(cos_theta), f64::from(thickness_nm));
         match &self.evaluator {
-            // Every wavelength has its own critical angle beside a half-space that disperses.
-            _ if side == Side::Base && self.description.disperses() => self.converged(side, c, d),
             Evaluator::Tables(tables) => tables.colors(side, cos_theta, thickness_nm),
             Evaluator::Series(series) => series.at(side, c, d).to_f32(),
             Evaluator::Method(_) | Evaluator::Reference => self.converged(side, c, d),
@@ -171,8 +169,7 @@ impl Film {
     /// Reflectance and transmittance from either side; all 0 from a base that is opaque
     /// ([`FilmDescription::is_base_opaque`]). From the ambient's side the transmittance is the power that enters
     /// the base. On the base's side light travels as if the base had its index's real part alone, which is off by
-    /// the order of k. If a half-space disperses, the reference answers from the base's side, which is slow and
-    /// allocates: every wavelength has its own critical angle there.
+    /// the order of k. Slow, and it allocates, where the film's plan is the series or the reference.
     ///
     /// # Errors
     /// `Unsupported`, if the description does not ask for transmittance.
