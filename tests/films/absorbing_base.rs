@@ -168,10 +168,10 @@ fn albedo(film: &FilmDescription, wo: Vec3) -> [[f32; 3]; 2] {
     for i in 0..COUNT {
         let u = Vec3::new((f32::from(i) + 0.5) / f32::from(COUNT), 0.5, 0.5);
         let sample = bsdf.sampled(wo, u, None);
-        for c in 0..3 {
-            // Radiance is compressed by refraction, power is not.
-            let factor = sample.eta * sample.eta / f32::from(COUNT);
-            sums[sample.lobe][c] += sample.weight[c] * factor;
+        // Radiance is compressed by refraction, power is not.
+        let factor = sample.eta * sample.eta / f32::from(COUNT);
+        for (sum, weight) in sums[sample.lobe].iter_mut().zip(sample.weight) {
+            *sum += weight * factor;
         }
     }
     sums
