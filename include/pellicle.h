@@ -150,6 +150,16 @@
 // Side of a film that the light comes from: the base.
 #define PELLICLE_SIDE_BASE 1
 
+// PellicleFilmDesc::base_opaque: light that has entered the base is followed there if the base's k is at most
+// 1e-3 at 550 nm, so that 1 / e of the power is left after 44 um or more.
+#define PELLICLE_BASE_BY_K 0
+
+// PellicleFilmDesc::base_opaque: what enters the base is absorbed, whatever its k is.
+#define PELLICLE_BASE_OPAQUE 1
+
+// PellicleFilmDesc::base_opaque: light in the base is followed, whatever its k is.
+#define PELLICLE_BASE_TRANSPARENT 2
+
 // List for pellicle_name(): the methods of evaluating a film.
 #define PELLICLE_NAMES_METHOD 0
 
@@ -235,9 +245,9 @@ typedef struct PellicleMediumInfo {
     const char *const *also;
     // Who measured it.
     const char *source;
-    // The least wavelength of its data, nm; the index is constant below.
+    // The least wavelength of its data, nm; the index is constant below. 0 for vacuum.
     float lambda_min_nm;
-    // The greatest wavelength of its data, nm; the index is constant above.
+    // The greatest wavelength of its data, nm; the index is constant above. Infinite for vacuum.
     float lambda_max_nm;
     // 1: it absorbs somewhere in that range; 0: it is transparent.
     uint32_t absorbs;
@@ -311,6 +321,14 @@ typedef struct PellicleFilmDesc {
     // The instructions of batches, out of PELLICLE_NAMES_SIMD_LEVEL; NULL: the widest. For tests: the
     // results are the same.
     const char *simd_level;
+    // PELLICLE_BASE_BY_K, PELLICLE_BASE_OPAQUE or PELLICLE_BASE_TRANSPARENT: whether light that has entered the base
+    // is followed there. It decides whether the model "film" has the flag TRANSMISSION and whether light comes from
+    // the base's side, never what is reflected and what enters from the ambient's side.
+    uint32_t base_opaque;
+    // 1: pellicle_film_spectrum() also answers outside the ranges of wavelengths of the media, where their indices
+    // are taken to be constant; 0: it refuses that. A named medium has the range of its data (PellicleMediumInfo), a
+    // table that of its entries, a constant given by `eta` and `k` all wavelengths, and one that disperses 380-780 nm.
+    uint32_t extrapolate;
 } PellicleFilmDesc;
 
 // What a film is. It grows by appending; pass sizeof(PellicleFilmInfo).
@@ -323,6 +341,18 @@ typedef struct PellicleFilmInfo {
     float thickness_min_nm;
     // Greatest thickness of the layer that varies, nm; 0 if none does.
     float thickness_max_nm;
+    // 1: what enters the base is absorbed, and no light comes from it; 0: light in the base is followed. By the
+    // base's k and PellicleFilmDesc::base_opaque.
+    uint32_t base_opaque;
+    // The attenuation 4 pi k / lambda of light in the base, per millimetre, RGB: the absorption coefficient of the
+    // renderer's volume there. The mean of each channel under its weights, which is exact for short paths; a channel
+    // whose negative weights prevail has 0.
+    float base_attenuation_per_mm[3];
+    // The least wavelength that all media are known for, nm; PellicleFilmDesc::extrapolate tells their ranges. Greater
+    // than `lambda_max_nm` if there is none.
+    float lambda_min_nm;
+    // The greatest wavelength that all media are known for, nm; infinite if all are constant.
+    float lambda_max_nm;
 } PellicleFilmInfo;
 
 // How a film is evaluated, and how well. It grows by appending; pass sizeof(PellicleFilmPlan).
@@ -784,8 +814,9 @@ PellicleStatus pellicle_film_reflectance(const PellicleFilm *film,
 // RGB. A film created without `transmittance` has neither: UNSUPPORTED.
 //
 // `side`: PELLICLE_SIDE_AMBIENT or PELLICLE_SIDE_BASE, where the light comes from and `cos_theta` is
-// measured; any other: OUT_OF_RANGE. A base that absorbs sends no light: everything is 0 from its
-// side. `cos_theta` and `thickness_nm` as in pellicle_film_reflectance(). `reflectance`,
+// measured; any other: OUT_OF_RANGE. A base that is opaque (PellicleFilmInfo::base_opaque) sends
+// no light: everything is 0 from its side. In one that absorbs but is not opaque, light from its side travels as if
+// k were 0 there, which is off by the order of k. From the ambient's side `transmittance` is what enters the base. `cos_theta` and `thickness_nm` as in pellicle_film_reflectance(). `reflectance`,
 // `transmittance`: 3 numbers each; either may be NULL if not wanted, not both.
 //
 // Preconditions:
@@ -810,8 +841,9 @@ PellicleStatus pellicle_film_reference(const PellicleFilm *film,
 // Reflectance of unpolarised light from the ambient's side at single wavelengths, by full wave
 // optics, for spectral renderers. Allocates.
 //
-// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE.
-// Named media are constant outside the range of their data (PellicleMediumInfo). `reflectance`: `count`
+// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0, or outside the range of a
+// medium's data (PellicleFilmInfo::lambda_min_nm) unless PellicleFilmDesc::extrapolate is 1: OUT_OF_RANGE.
+// `reflectance`: `count`
 // numbers; it may be the array `lambda_nm` itself, and is refused if it overlaps that otherwise.
 // `cos_theta` and `thickness_nm` as in pellicle_film_reflectance().
 //

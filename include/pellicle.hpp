@@ -322,6 +322,18 @@ public:
         return *this;
     }
 
+    // Whether light in the base is followed: PELLICLE_BASE_OPAQUE or PELLICLE_BASE_TRANSPARENT, instead of by its k.
+    FilmBuilder &base_opaque(std::uint32_t base_opaque) {
+        desc_.base_opaque = base_opaque;
+        return *this;
+    }
+
+    // Film::spectrum() also answers outside the ranges of the media, where their indices are taken to be constant.
+    FilmBuilder &extrapolate() {
+        desc_.extrapolate = 1;
+        return *this;
+    }
+
     // The instructions of batches, a name out of PELLICLE_NAMES_SIMD_LEVEL, instead of the widest.
     FilmBuilder &simd_level(std::string name) {
         simd_level_ = std::move(name);

@@ -86,7 +86,7 @@ pub use bsdf::{
     ParamKind, Precision, Sample, Transport, Varying, model_infos,
 };
 pub use error::{Error, Status};
-pub use film::{Colors, Film, FilmDescription, FilmLayer, FilmPlan, METHODS};
+pub use film::{BaseOpacity, Colors, Film, FilmDescription, FilmLayer, FilmPlan, METHODS};
 /// The vectors of calls are [`glam::Vec3`], and [`glam::DVec3`] in double precision.
 pub use glam;
 pub use num::Rgb;

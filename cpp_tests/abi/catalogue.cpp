@@ -2,6 +2,7 @@
 // Nobody has to parse a message.
 #include "support.hpp"
 
+#include <limits>
 #include <set>
 
 namespace {
@@ -74,7 +75,9 @@ TEST_CASE("catalogue: every medium can be created by each of its names, and abso
         const PellicleMediumInfo info = medium_info(i);
         CAPTURE(std::string(info.name));
         CHECK_FALSE(std::string(info.source).empty());
-        CHECK_GT(info.lambda_min_nm, 0.0f);
+        // Vacuum is known at every wavelength.
+        CHECK_EQ(info.lambda_min_nm == 0.0f, std::string(info.name) == "vacuum");
+        CHECK_EQ(info.lambda_max_nm == std::numeric_limits<float>::infinity(), std::string(info.name) == "vacuum");
         CHECK_LT(info.lambda_min_nm, info.lambda_max_nm);
         std::vector<std::string> all = {info.name};
         for (const char *const *also = info.also; *also; ++also) all.push_back(*also);
@@ -90,13 +93,28 @@ TEST_CASE("catalogue: every medium can be created by each of its names, and abso
     for (const char *name : {"Au", "gold", "Ag", "SiO2", "water", "H2O", "BK7", "glass"}) CHECK(seen.count(name) == 1);
 }
 
-TEST_CASE("catalogue: outside the range of its data a medium is constant") {
+TEST_CASE("catalogue: outside the range of its data a medium is refused, or constant if that is allowed") {
     for (std::size_t i = 0; i < pellicle_medium_count(); ++i) {
         const PellicleMediumInfo info = medium_info(i);
+        if (std::string(info.name) == "vacuum") continue;
         CAPTURE(std::string(info.name));
         support::FilmDescription film;
         film.base = support::medium(info.name);
         film.desc.method = "reference";
+        const pellicle::Film strict(film.raw());
+        CHECK_EQ(strict.info().lambda_min_nm, info.lambda_min_nm);
+        CHECK_EQ(strict.info().lambda_max_nm, info.lambda_max_nm);
+        const float ends[2] = {info.lambda_min_nm, info.lambda_max_nm};
+        float at_ends[2];
+        CHECK_EQ(pellicle_film_spectrum(strict.raw(), 1.0f, 0.0f, ends, 2, at_ends), PELLICLE_OK);
+        for (const float outside : {0.999f * info.lambda_min_nm, 1.001f * info.lambda_max_nm}) {
+            const float lambda_nm[2] = {info.lambda_min_nm, outside};
+            support::Untouched<float[2]> untouched;
+            CHECK_REFUSED(pellicle_film_spectrum(strict.raw(), 1.0f, 0.0f, lambda_nm, 2, untouched.output),
+                          PELLICLE_OUT_OF_RANGE, "lambda_nm[1]");
+            for (const char *word : {"base", "extrapolate"}) CHECK(support::message_has(word));
+        }
+        film.desc.extrapolate = 1;
         const pellicle::Film bare(film.raw());
         const float nm[4] = {info.lambda_min_nm, 0.9f * info.lambda_min_nm, info.lambda_max_nm, 1.1f * info.lambda_max_nm};
         float reflectance[4];
@@ -260,4 +278,36 @@ TEST_CASE("film info: the range of thickness, and whether it keeps its transmitt
     CHECK_EQ(fixed.varies, 0);
     CHECK_EQ(fixed.thickness_max_nm, 0.0f);
     CHECK_EQ(pellicle::FilmBuilder("BK7").create().info().transmittance, 0);
+}
+
+TEST_CASE("film info: whether the base is opaque, and its attenuation, by k or as the description says") {
+    const auto info = [](float k, std::uint32_t base_opaque) {
+        support::FilmDescription film;
+        film.base = support::medium(1.5f, k);
+        film.desc.base_opaque = base_opaque;
+        film.desc.transmittance = 1;
+        const pellicle::Film created(film.raw());
+        const pellicle::Bsdf bsdf = pellicle::BsdfBuilder("film").film(created).create();
+        const bool is_opaque = created.info().base_opaque == 1;
+        CHECK_EQ((bsdf.info().flags & PELLICLE_TRANSMISSION) == 0, is_opaque);
+        const auto from_base = created.eval(0.9f, 0.0f, PELLICLE_SIDE_BASE);
+        CHECK_EQ(from_base.transmittance[1] == 0.0f, is_opaque);
+        // From the ambient's side nothing depends on it.
+        CHECK_GT(created.eval(0.9f, 0.0f).transmittance[1], 0.95f);
+        return created.info();
+    };
+    for (const float k : {0.0f, 1e-12f, 1e-6f, 1e-3f}) {
+        CHECK_EQ(info(k, PELLICLE_BASE_BY_K).base_opaque, 0);
+        CHECK_EQ(info(k, PELLICLE_BASE_OPAQUE).base_opaque, 1);
+    }
+    for (const float k : {1.001e-3f, 0.1f}) {
+        CHECK_EQ(info(k, PELLICLE_BASE_BY_K).base_opaque, 1);
+        CHECK_EQ(info(k, PELLICLE_BASE_TRANSPARENT).base_opaque, 0);
+    }
+    // 4 pi k / lambda: 22.8 per mm at 550 nm.
+    const PellicleFilmInfo tinted = info(1e-3f, PELLICLE_BASE_BY_K);
+    CHECK_EQ(tinted.base_attenuation_per_mm[1], doctest::Approx(22.8).epsilon(0.04));
+    CHECK_LT(tinted.base_attenuation_per_mm[0], tinted.base_attenuation_per_mm[1]);
+    CHECK_GT(tinted.base_attenuation_per_mm[2], tinted.base_attenuation_per_mm[1]);
+    CHECK_EQ(info(0.0f, PELLICLE_BASE_BY_K).base_attenuation_per_mm[1], 0.0f);
 }

@@ -69,7 +69,7 @@ bool same(const std::vector<float> &a, const std::vector<float> &b) {
 
 const pellicle::Film &film() {
     static const pellicle::Film film =
-        pellicle::FilmBuilder("BK7").layer("water", min_nm, max_nm).transmittance().create();
+        pellicle::FilmBuilder("BK7").layer("water", min_nm, max_nm).transmittance().extrapolate().create();
     return film;
 }
 

@@ -1,6 +1,8 @@
 // What pellicle_film_create() refuses besides media: thicknesses, counts, names and switches.
 #include "support.hpp"
 
+#include <string>
+
 namespace {
 
 using support::infinity;
@@ -120,6 +122,18 @@ TEST_CASE("film create: a switch that is neither 0 nor 1 is refused") {
         Description transmittance;
         transmittance.desc.transmittance = bad;
         CHECK_REFUSED(transmittance.create(), PELLICLE_OUT_OF_RANGE, "transmittance");
+        Description extrapolate;
+        extrapolate.desc.extrapolate = bad;
+        CHECK_REFUSED(extrapolate.create(), PELLICLE_OUT_OF_RANGE, "extrapolate");
+    }
+}
+
+TEST_CASE("film create: base_opaque has three values") {
+    for (const std::uint32_t bad : {3u, 0x80000000u, UINT32_MAX}) {
+        Description film;
+        film.desc.base_opaque = bad;
+        CHECK_REFUSED(film.create(), PELLICLE_OUT_OF_RANGE, "base_opaque = " + std::to_string(bad));
+        for (const char *allowed : {"0 (by k)", "1 (opaque)", "2 (transparent)"}) CHECK(support::message_has(allowed));
     }
 }
 

@@ -55,6 +55,7 @@ void check_refused(const PellicleMedium &medium, PellicleStatus status, const st
 float reflectance_at(const PellicleMedium &base, float lambda_nm) {
     support::FilmDescription film;
     film.base = base;
+    film.desc.extrapolate = 1;
     float result = -1.0f;
     pellicle::Film(film.raw()).spectrum(1.0f, 0.0f, &lambda_nm, 1, &result);
     return result;

@@ -206,7 +206,7 @@ TEST_CASE("film values: as much is transmitted one way as the other, at the angl
     }
 }
 
-TEST_CASE("film values: nothing comes from the side of a base that absorbs") {
+TEST_CASE("film values: nothing comes from the side of an opaque base") {
     const pellicle::Film film = FilmBuilder("Ag").layer("SiO2", 0, 400).transmittance().create();
     const pellicle::FilmColors colors = film.eval(0.7f, 200.0f, PELLICLE_SIDE_BASE);
     CHECK(colors.reflectance == Vec3{0.0f, 0.0f, 0.0f});

@@ -238,6 +238,7 @@ TEST_CASE("growth: an older, shorter film description means default for what it 
     PellicleFilmDesc desc = film.raw();
     desc.tolerance = -1.0f;
     desc.unclipped = desc.transmittance = 2;
+    desc.base_opaque = 3;
     desc.white = desc.color_space = desc.method = desc.simd_level = "no such name";
     const auto create = [](const PellicleFilmDesc *truncated, std::size_t size) {
         PellicleFilm *raw = nullptr;
@@ -255,7 +256,10 @@ TEST_CASE("growth: an older, shorter film description means default for what it 
     CHECK_EQ(up_to(offsetof(PellicleFilmDesc, color_space)), PELLICLE_UNKNOWN_NAME);
     desc.white = desc.color_space = desc.method = nullptr;
     CHECK_EQ(up_to(offsetof(PellicleFilmDesc, simd_level)), PELLICLE_OK);
-    CHECK_EQ(up_to(sizeof desc), PELLICLE_UNKNOWN_NAME);
+    CHECK_EQ(up_to(offsetof(PellicleFilmDesc, base_opaque)), PELLICLE_UNKNOWN_NAME);
+    desc.simd_level = nullptr;
+    CHECK_EQ(up_to(offsetof(PellicleFilmDesc, base_opaque)), PELLICLE_OK);
+    CHECK_EQ(up_to(sizeof desc), PELLICLE_OUT_OF_RANGE);
     CHECK_REFUSED(up_to(offsetof(PellicleFilmDesc, base)), PELLICLE_INVALID_ARGUMENT, "base");
     CHECK_EQ(up_to(0), PELLICLE_INVALID_ARGUMENT);
 }

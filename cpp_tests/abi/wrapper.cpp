@@ -139,6 +139,8 @@ TEST_CASE("wrapper: the film builder describes what the C structs do") {
     description.desc.color_space = "acescg";
     description.desc.method = "reference";
     description.desc.unclipped = description.desc.transmittance = 1;
+    description.desc.base_opaque = PELLICLE_BASE_TRANSPARENT;
+    description.desc.extrapolate = 1;
     const pellicle::Film by_structs(description.raw());
 
     using pellicle::Medium;
@@ -152,13 +154,20 @@ TEST_CASE("wrapper: the film builder describes what the C structs do") {
                              .color_space("acescg")
                              .method("reference")
                              .unclipped()
-                             .transmittance();
+                             .transmittance()
+                             .base_opaque(PELLICLE_BASE_TRANSPARENT)
+                             .extrapolate();
     const pellicle::Film by_names = builder.create();
     const pellicle::FilmColors a = by_structs.eval(0.7f, 222.0f), b = by_names.eval(0.7f, 222.0f);
     CHECK(support::same_bits(a.reflectance.data(), b.reflectance.data(), 3));
     CHECK(support::same_bits(a.transmittance.data(), b.transmittance.data(), 3));
     CHECK_EQ(by_names.plan().tolerance, 1e-3f);
     CHECK_EQ(std::string(by_names.plan().method), "reference");
+    CHECK_EQ(by_names.info().base_opaque, 0);
+    const float infrared_nm = 1550.0f;
+    float found = -1.0f;
+    by_names.spectrum(0.7f, 222.0f, &infrared_nm, 1, &found);
+    CHECK_GT(found, 0.0f);
 
     // A builder may be used again.
     CHECK_NE(builder.create().raw(), by_names.raw());

@@ -80,9 +80,9 @@ pub struct PellicleMediumInfo {
     pub also: *const *const c_char,
     /// Who measured it.
     pub source: *const c_char,
-    /// The least wavelength of its data, nm; the index is constant below.
+    /// The least wavelength of its data, nm; the index is constant below. 0 for vacuum.
     pub lambda_min_nm: f32,
-    /// The greatest wavelength of its data, nm; the index is constant above.
+    /// The greatest wavelength of its data, nm; the index is constant above. Infinite for vacuum.
     pub lambda_max_nm: f32,
     /// 1: it absorbs somewhere in that range; 0: it is transparent.
     pub absorbs: u32,

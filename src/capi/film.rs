@@ -128,11 +128,16 @@ pub unsafe extern "C" fn pellicle_film_info(
             let film = &handle(film)?.film;
             let range = film.varying_thickness_nm();
             let [min, max] = range.unwrap_or_default();
+            let [lambda_min_nm, lambda_max_nm] = film.description().range_nm().map(|x| x as f32);
             let filled = PellicleFilmInfo {
                 varies: u32::from(range.is_some()),
                 transmittance: u32::from(film.description().transmittance),
                 thickness_min_nm: min as f32,
                 thickness_max_nm: max as f32,
+                base_opaque: u32::from(film.description().is_base_opaque()),
+                lambda_min_nm,
+                lambda_max_nm,
+                base_attenuation_per_mm: film.base_attenuation_per_mm().map(|x| x as f32),
             };
             write_growing(info, info_size, &filled);
         }

@@ -8,6 +8,7 @@ use super::types::{
     PELLICLE_OK, PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE, PellicleFilm, PellicleStatus,
 };
 use crate::error::Error;
+use crate::film::Film;
 use crate::optics::stack::Side;
 
 /// Reflectance of unpolarised light from the ambient's side, RGB, into `rgb` (3 numbers).
@@ -51,8 +52,9 @@ pub unsafe extern "C" fn pellicle_film_reflectance(
 /// RGB. A film created without `transmittance` has neither: UNSUPPORTED.
 ///
 /// `side`: PELLICLE_SIDE_AMBIENT or PELLICLE_SIDE_BASE, where the light comes from and `cos_theta` is
-/// measured; any other: OUT_OF_RANGE. A base that absorbs sends no light: everything is 0 from its
-/// side. `cos_theta` and `thickness_nm` as in pellicle_film_reflectance(). `reflectance`,
+/// measured; any other: OUT_OF_RANGE. A base that is opaque (PellicleFilmInfo::base_opaque) sends
+/// no light: everything is 0 from its side. In one that absorbs but is not opaque, light from its side travels as if
+/// k were 0 there, which is off by the order of k. From the ambient's side `transmittance` is what enters the base. `cos_theta` and `thickness_nm` as in pellicle_film_reflectance(). `reflectance`,
 /// `transmittance`: 3 numbers each; either may be NULL if not wanted, not both.
 ///
 /// # Safety
@@ -121,8 +123,9 @@ pub unsafe extern "C" fn pellicle_film_reference(
 /// Reflectance of unpolarised light from the ambient's side at single wavelengths, by full wave
 /// optics, for spectral renderers. Allocates.
 ///
-/// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE.
-/// Named media are constant outside the range of their data (PellicleMediumInfo). `reflectance`: `count`
+/// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0, or outside the range of a
+/// medium's data (PellicleFilmInfo::lambda_min_nm) unless PellicleFilmDesc::extrapolate is 1: OUT_OF_RANGE.
+/// `reflectance`: `count`
 /// numbers; it may be the array `lambda_nm` itself, and is refused if it overlaps that otherwise.
 /// `cos_theta` and `thickness_nm` as in pellicle_film_reflectance().
 ///
@@ -142,7 +145,7 @@ pub unsafe extern "C" fn pellicle_film_spectrum(
         // SAFETY: the caller vouches for the handle and for `count` numbers each.
         unsafe {
             let film = &handle(film)?.film;
-            check_wavelengths(lambda_nm, count)?;
+            check_wavelengths(film, lambda_nm, count)?;
             if count > 0 {
                 require(reflectance, "reflectance")?;
             }
@@ -150,7 +153,7 @@ pub unsafe extern "C" fn pellicle_film_spectrum(
             let (cos_theta, thickness_nm) = (f64::from(cos_theta), f64::from(thickness_nm));
             for i in 0..count {
                 let wavelength_nm = f64::from(lambda_nm.add(i).read_unaligned());
-                let found = film.spectrum(cos_theta, thickness_nm, wavelength_nm);
+                let found = film.spectrum(cos_theta, thickness_nm, wavelength_nm)?;
                 reflectance.add(i).write_unaligned(found as f32);
             }
         }
@@ -181,15 +184,14 @@ fn wrong_side(side: u32) -> Error {
 }
 
 /// Refuses wavelengths before anything is written: outputs stay untouched if one of them is wrong.
-unsafe fn check_wavelengths(lambda_nm: *const f32, count: usize) -> Result<(), Error> {
+unsafe fn check_wavelengths(film: &Film, lambda_nm: *const f32, count: usize) -> Result<(), Error> {
     // SAFETY: the caller vouches for `count` numbers.
-    let mut given = unsafe { elements(lambda_nm, count, "lambda_nm")? }.enumerate();
-    match given.find(|(_, nm)| !(nm.is_finite() && *nm > 0.0)) {
-        Some((at, nm)) => Err(Error::out_of_range(format!(
-            "lambda_nm[{at}] = {nm} is not finite and above 0"
-        ))),
-        None => Ok(()),
+    let given = unsafe { elements(lambda_nm, count, "lambda_nm")? };
+    for (at, nm) in given.enumerate() {
+        let name = format_args!("lambda_nm[{at}]");
+        film.description().check_wavelength(name, f64::from(nm))?;
     }
+    Ok(())
 }
 
 /// Refuses arrays that overlap without being the same: a result would replace a wavelength not read yet.

@@ -3,8 +3,9 @@
 use super::boundary::{check_size, optional_string, read_growing, require};
 use super::film_types::{PellicleFilmDesc, PellicleLayer, PellicleMedium};
 use super::medium::{medium, needed_medium};
+use super::types::{PELLICLE_BASE_BY_K, PELLICLE_BASE_OPAQUE, PELLICLE_BASE_TRANSPARENT};
 use crate::error::Error;
-use crate::film::{DEFAULT_TOLERANCE, FilmDescription, MAX_LAYERS};
+use crate::film::{BaseOpacity, DEFAULT_TOLERANCE, FilmDescription, MAX_LAYERS};
 use crate::optics::{ColorSpace, Medium, White};
 
 /// Copies a description; messages name the place of what was wrong, as in "layers\[2\].medium".
@@ -41,6 +42,8 @@ pub(super) unsafe fn film_description(desc: &PellicleFilmDesc) -> Result<FilmDes
         description.method = optional_string(desc.method, "method")?;
         description.unclipped = switch(desc.unclipped, "unclipped")?;
         description.transmittance = switch(desc.transmittance, "transmittance")?;
+        description.extrapolate = switch(desc.extrapolate, "extrapolate")?;
+        description.base_opacity = base_opacity(desc.base_opaque)?;
         Ok(description)
     }
 }
@@ -80,6 +83,18 @@ unsafe fn read_layers(desc: &PellicleFilmDesc) -> Result<Vec<(Medium, [f64; 2])>
         }
     };
     (0..desc.layer_count).map(read).collect()
+}
+
+fn base_opacity(value: u32) -> Result<BaseOpacity, Error> {
+    match value {
+        PELLICLE_BASE_BY_K => Ok(BaseOpacity::ByExtinction),
+        PELLICLE_BASE_OPAQUE => Ok(BaseOpacity::Opaque),
+        PELLICLE_BASE_TRANSPARENT => Ok(BaseOpacity::Transparent),
+        _ => Err(Error::out_of_range(format!(
+            "base_opaque = {value} is none of {PELLICLE_BASE_BY_K} (by k), {PELLICLE_BASE_OPAQUE} (opaque) and \
+             {PELLICLE_BASE_TRANSPARENT} (transparent)"
+        ))),
+    }
 }
 
 fn switch(value: u32, name: &str) -> Result<bool, Error> {

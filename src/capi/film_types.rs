@@ -77,6 +77,14 @@ pub struct PellicleFilmDesc {
     /// The instructions of batches, out of PELLICLE_NAMES_SIMD_LEVEL; NULL: the widest. For tests: the
     /// results are the same.
     pub simd_level: *const c_char,
+    /// PELLICLE_BASE_BY_K, PELLICLE_BASE_OPAQUE or PELLICLE_BASE_TRANSPARENT: whether light that has entered the base
+    /// is followed there. It decides whether the model "film" has the flag TRANSMISSION and whether light comes from
+    /// the base's side, never what is reflected and what enters from the ambient's side.
+    pub base_opaque: u32,
+    /// 1: pellicle_film_spectrum() also answers outside the ranges of wavelengths of the media, where their indices
+    /// are taken to be constant; 0: it refuses that. A named medium has the range of its data (PellicleMediumInfo), a
+    /// table that of its entries, a constant given by `eta` and `k` all wavelengths, and one that disperses 380-780 nm.
+    pub extrapolate: u32,
 }
 
 /// What a film is. It grows by appending; pass sizeof(PellicleFilmInfo).
@@ -91,6 +99,18 @@ pub struct PellicleFilmInfo {
     pub thickness_min_nm: f32,
     /// Greatest thickness of the layer that varies, nm; 0 if none does.
     pub thickness_max_nm: f32,
+    /// 1: what enters the base is absorbed, and no light comes from it; 0: light in the base is followed. By the
+    /// base's k and PellicleFilmDesc::base_opaque.
+    pub base_opaque: u32,
+    /// The attenuation 4 pi k / lambda of light in the base, per millimetre, RGB: the absorption coefficient of the
+    /// renderer's volume there. The mean of each channel under its weights, which is exact for short paths; a channel
+    /// whose negative weights prevail has 0.
+    pub base_attenuation_per_mm: [f32; 3],
+    /// The least wavelength that all media are known for, nm; PellicleFilmDesc::extrapolate tells their ranges. Greater
+    /// than `lambda_max_nm` if there is none.
+    pub lambda_min_nm: f32,
+    /// The greatest wavelength that all media are known for, nm; infinite if all are constant.
+    pub lambda_max_nm: f32,
 }
 
 /// How a film is evaluated, and how well. It grows by appending; pass sizeof(PellicleFilmPlan).

@@ -55,6 +55,14 @@ pub const PELLICLE_SIDE_AMBIENT: u32 = 0;
 /// Side of a film that the light comes from: the base.
 pub const PELLICLE_SIDE_BASE: u32 = 1;
 
+/// PellicleFilmDesc::base_opaque: light that has entered the base is followed there if the base's k is at most
+/// 1e-3 at 550 nm, so that 1 / e of the power is left after 44 um or more.
+pub const PELLICLE_BASE_BY_K: u32 = 0;
+/// PellicleFilmDesc::base_opaque: what enters the base is absorbed, whatever its k is.
+pub const PELLICLE_BASE_OPAQUE: u32 = 1;
+/// PellicleFilmDesc::base_opaque: light in the base is followed, whatever its k is.
+pub const PELLICLE_BASE_TRANSPARENT: u32 = 2;
+
 /// List for pellicle_name(): the methods of evaluating a film.
 pub const PELLICLE_NAMES_METHOD: u32 = 0;
 /// List for pellicle_name(): the colour spaces, the default first.

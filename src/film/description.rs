@@ -13,6 +13,24 @@ pub const MAX_LAYERS: usize = 64;
 /// The greatest thickness of a layer, nm: ten centimetres.
 pub const MAX_THICKNESS_NM: f64 = 1e8;
 
+/// A base whose k at 550 nm is greater is opaque unless the description says otherwise: light of 550 nm falls to
+/// 1 / e within 44 um of it.
+pub const OPAQUE_K: f64 = 1e-3;
+/// The wavelength at which [`OPAQUE_K`] is meant, nm.
+const OPAQUE_NM: f64 = 550.0;
+
+/// Whether light that has entered the base is followed there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BaseOpacity {
+    /// Unless its extinction k at 550 nm is more than [`OPAQUE_K`].
+    #[default]
+    ByExtinction,
+    /// Never: what enters is absorbed.
+    Opaque,
+    /// Always, whatever its extinction is.
+    Transparent,
+}
+
 /// One layer: its medium and the range of its thickness.
 #[derive(Clone, Debug)]
 pub struct FilmLayer {
@@ -44,6 +62,12 @@ pub struct FilmDescription {
     pub unclipped: bool,
     /// Also keep the transmittance, and the reflectance from the base's side.
     pub transmittance: bool,
+    /// Whether light that has entered the base is followed there. What is reflected and what enters, from the
+    /// ambient's side, do not depend on it.
+    pub base_opacity: BaseOpacity,
+    /// Answer at single wavelengths outside the ranges of the media ([`Medium::range_nm`]) too, where their indices
+    /// are taken to be constant. Colours always are those of 380-780 nm.
+    pub extrapolate: bool,
 }
 
 impl FilmDescription {
@@ -59,6 +83,8 @@ impl FilmDescription {
             method: None,
             unclipped: false,
             transmittance: false,
+            base_opacity: BaseOpacity::ByExtinction,
+            extrapolate: false,
         }
     }
 
@@ -84,9 +110,37 @@ impl FilmDescription {
             .map_or([0.0; 2], |layer| self.layers[layer].thickness_nm)
     }
 
+    /// Whether light that has entered the base stays there, and none comes from it.
+    pub fn is_base_opaque(&self) -> bool {
+        match self.base_opacity {
+            // C callers give k in single precision.
+            BaseOpacity::ByExtinction => self.base.index(OPAQUE_NM).im > OPAQUE_K * (1.0 + 1e-6),
+            BaseOpacity::Opaque => true,
+            BaseOpacity::Transparent => false,
+        }
+    }
+
+    /// Whether a base that is not opaque absorbs enough for tables to tell the sides apart: from the ambient's the
+    /// base has its complex index, from its own the real part. What is reflected and what enters differ by 2 k at
+    /// most, but beside a denser ambient, where light begins to go along the base, by 5 times the root of k.
+    pub(super) fn is_base_tinted(&self) -> bool {
+        const PART: f64 = 0.1;
+        if self.is_base_opaque() {
+            return false;
+        }
+        let [ambient, base] = [&self.ambient, &self.base].map(|medium| medium.index(OPAQUE_NM).re);
+        let k = self.base.greatest_extinction();
+        let error = if ambient > base {
+            5.0 * k.sqrt()
+        } else {
+            2.0 * k
+        };
+        error > PART * self.tolerance
+    }
+
     /// The sides from which light is asked for.
     pub(super) fn sides(&self) -> &'static [Side] {
-        if self.transmittance && !self.base.absorbs() {
+        if self.transmittance && !self.is_base_opaque() {
             &[Side::Ambient, Side::Base]
         } else {
             &[Side::Ambient]
@@ -138,6 +192,7 @@ impl FilmDescription {
                  thickness_min_nm = thickness_max_nm"
             )));
         }
+        self.check_tables()?;
         // C callers give the tolerance in single precision.
         let least = LEAST_TOLERANCE * (1.0 - 1e-6);
         if !(least..=1.0).contains(&self.tolerance) {

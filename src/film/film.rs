@@ -8,7 +8,7 @@ use super::table::spline::SplineTable;
 use crate::error::Error;
 use crate::num::{Lane, Real, Rgb, each};
 use crate::optics::stack::Side;
-use crate::optics::{Medium, Reference};
+use crate::optics::{ChannelWeights, Medium, Reference, attenuation_per_mm};
 
 /// A coating, compiled to the method that its [`FilmPlan`] names. Immutable; share it between threads.
 ///
@@ -24,6 +24,7 @@ pub struct Film {
     /// The range that thicknesses are clamped to, nm.
     thickness_nm: [f32; 2],
     reference: Reference,
+    attenuation_per_mm: Rgb<f64>,
 }
 
 /// The least cosine; smaller ones are replaced by it. At 0 even the thinnest film is a perfect mirror,
@@ -46,8 +47,11 @@ impl Film {
             description.white,
             description.color_space,
         )?;
+        let weights = ChannelWeights::new(description.white, description.color_space);
+        let attenuation_per_mm = attenuation_per_mm(&description.base, &weights)?;
         let (evaluator, plan) = plan(description, &reference)?;
         Ok(Self {
+            attenuation_per_mm,
             description: description.clone(),
             evaluator,
             plan,
@@ -162,9 +166,10 @@ impl Film {
         }
     }
 
-    /// Reflectance and transmittance from either side; all 0 from a base that absorbs. If a half-space
-    /// disperses, the reference answers from the base's side, which is slow and allocates: every
-    /// wavelength has its own critical angle there.
+    /// Reflectance and transmittance from either side; all 0 from a base that is opaque
+    /// ([`FilmDescription::is_base_opaque`]). From the ambient's side the transmittance is the power that enters
+    /// the base. On the base's side light travels as if the base had its index's real part alone, which is off by
+    /// the order of k. Slow, and it allocates, where the film's plan is the series or the reference.
     ///
     /// # Errors
     /// `Unsupported`, if the description does not ask for transmittance.
@@ -174,7 +179,7 @@ impl Film {
                 "this film keeps no transmittance: set transmittance = 1 in its description",
             ));
         }
-        if side == Side::Base && self.description.base.absorbs() {
+        if side == Side::Base && self.description.is_base_opaque() {
             return Ok(Colors::default());
         }
         let inputs = [cos_theta, thickness_nm];
@@ -204,22 +209,41 @@ impl Film {
         found.reflectance
     }
 
-    /// Reflectance of unpolarised light from the ambient's side at one vacuum wavelength (nm, > 0), for spectral
-    /// renderers; 0 for NaN. Named media are constant outside 380-780 nm. It allocates.
-    pub fn spectrum(&self, cos_theta: f64, thickness_nm: f64, wavelength_nm: f64) -> f64 {
+    /// Reflectance of unpolarised light from the ambient's side at one vacuum wavelength, nm, for spectral
+    /// renderers; 0 for a NaN of the cosine or the thickness. It allocates.
+    ///
+    /// # Errors
+    /// `OutOfRange` for a wavelength that [`FilmDescription::check_wavelength`] refuses.
+    pub fn spectrum(
+        &self,
+        cos_theta: f64,
+        thickness_nm: f64,
+        wavelength_nm: f64,
+    ) -> Result<f64, Error> {
+        self.description
+            .check_wavelength("wavelength_nm", wavelength_nm)?;
         if cos_theta.is_nan() || thickness_nm.is_nan() {
-            return 0.0;
+            return Ok(0.0);
         }
         let cos_theta = cos_theta.clamp(0.0, 1.0);
         let thicknesses = self.description.thicknesses(thickness_nm);
-        self.reference
+        Ok(self
+            .reference
             .spectrum(Side::Ambient, cos_theta, &thicknesses, wavelength_nm)
-            .unpolarized_reflectance()
+            .unpolarized_reflectance())
     }
 
     /// The ambient medium and the base, for callers that refract directions themselves.
     pub fn half_spaces(&self) -> [&Medium; 2] {
         [&self.description.ambient, &self.description.base]
+    }
+
+    /// The attenuation 4 pi k / lambda of light in the base, per millimetre, for a renderer's volume there: the power
+    /// falls by exp(-attenuation times the path), so it is the absorption coefficient. Each channel is the mean under
+    /// its weights, which is exact for short paths; a channel whose negative weights prevail has 0. A base that is
+    /// opaque has one, too.
+    pub fn base_attenuation_per_mm(&self) -> Rgb<f64> {
+        self.attenuation_per_mm
     }
 
     /// The unclipped colours by the reference.

@@ -18,12 +18,15 @@ mod fringe_series;
 mod method;
 mod plan;
 mod table;
+mod tabulated;
 mod tile;
+mod wavelengths;
 mod wavenumbers;
 
 pub use colors::Colors;
 pub use description::{
-    DEFAULT_TOLERANCE, FilmDescription, FilmLayer, LEAST_TOLERANCE, MAX_LAYERS, MAX_THICKNESS_NM,
+    BaseOpacity, DEFAULT_TOLERANCE, FilmDescription, FilmLayer, LEAST_TOLERANCE, MAX_LAYERS,
+    MAX_THICKNESS_NM, OPAQUE_K,
 };
 pub use film::Film;
 #[doc(hidden)]

@@ -1,5 +1,6 @@
 //! The complex index of a medium as a function of wavelength.
 
+use super::color::VISIBLE_NM;
 use super::media::NamedMedium;
 use super::{Complex, RGB_WAVELENGTHS_NM};
 use crate::error::Error;
@@ -130,6 +131,44 @@ impl Medium {
             Kind::Named(named) => named.absorbs(),
             Kind::Rgb(index) => index.iter().any(|index| index.im > 0.0),
             Kind::Table { index, .. } => index.iter().any(|index| index.im > 0.0),
+        }
+    }
+
+    /// The greatest k within 380-780 nm: of a named medium that at steps of 5 nm.
+    pub fn greatest_extinction(&self) -> f64 {
+        let [first, last] = VISIBLE_NM;
+        let steps = match self.0 {
+            Kind::Named(_) => 80,
+            Kind::Rgb(_) | Kind::Table { .. } => 1,
+        };
+        let even = (0..=steps).map(|i| first + (last - first) * f64::from(i) / f64::from(steps));
+        let bends = self.nodes_nm().iter().copied().chain(RGB_WAVELENGTHS_NM);
+        even.chain(bends)
+            .map(|nm| self.index(nm).im)
+            .fold(0.0, f64::max)
+    }
+
+    /// The wavelengths of a table's entries between 380 and 780 nm, ascending: the index bends there. None for a
+    /// medium that is no table.
+    pub fn nodes_nm(&self) -> &[f64] {
+        let Kind::Table { lambda_nm, .. } = &self.0 else {
+            return &[];
+        };
+        let [first, last] = VISIBLE_NM;
+        let from = lambda_nm.partition_point(|nm| *nm <= first);
+        let to = lambda_nm.partition_point(|nm| *nm < last);
+        &lambda_nm[from..to.max(from)]
+    }
+
+    /// The range of wavelengths that the medium is known for, nm. Outside, the index is constant, which is a guess:
+    /// a named medium has the range of its data ([`NamedMedium::range_nm`]), a table that of its entries, a constant
+    /// given by eta and k all wavelengths, and one that disperses the visible ones, 380-780 nm.
+    pub fn range_nm(&self) -> [f64; 2] {
+        match &self.0 {
+            Kind::Named(named) => named.range_nm(),
+            Kind::Rgb(index) if all_equal(index).is_some() => [0.0, f64::INFINITY],
+            Kind::Rgb(_) => VISIBLE_NM,
+            Kind::Table { lambda_nm, .. } => [lambda_nm[0], lambda_nm[lambda_nm.len() - 1]],
         }
     }
 

@@ -83,9 +83,12 @@ impl NamedMedium {
         matches!(self.formula, Formula::Chebyshev { k, .. } if !k.is_empty())
     }
 
-    /// The range of wavelengths of its data, nm. Outside, the index is constant.
+    /// The range of wavelengths of its data, nm; that of vacuum is from 0 to infinity. Outside, the index is constant.
     pub fn range_nm(&self) -> [f64; 2] {
-        RANGE_NM
+        match self.formula {
+            Formula::Vacuum => [0.0, f64::INFINITY],
+            _ => RANGE_NM,
+        }
     }
 
     /// The index, if it is the same at every wavelength.

@@ -6,9 +6,11 @@ mod complex;
 mod conductor;
 mod dispersion;
 mod fresnel;
+mod fringes;
 mod media;
 mod reference;
 mod refraction;
+mod spectral_grid;
 mod spectral_sums;
 pub mod stack;
 mod waves;
@@ -24,6 +26,7 @@ pub use fresnel::{
 pub use media::NamedMedium;
 pub use reference::{Converged, Reference, TOLERANCE};
 pub use refraction::Interface;
+pub use spectral_grid::attenuation_per_mm;
 
 /// The wavelengths that stand for red, green and blue, nm (GH02 section 1).
 pub const RGB_WAVELENGTHS_NM: [f64; 3] = [645.0, 525.0, 445.0];

@@ -7,13 +7,19 @@
 //! [`stack`](super::stack)) changes across it by more than its own magnitude, because a resonance is there
 //! or nearby, at grazing angles often a thousand times narrower than the fringe. The second halves every
 //! interval until that changes no channel by more than [`TOLERANCE`].
+//!
+//! The index of a medium that is given by a table bends at the table's wavelengths, however close they are. These
+//! end intervals of their own, each of which is divided for the fringes within it; a rule that is exact for parabolas
+//! then converges, because the index is linear between them.
 
 use super::color::{ChannelWeights, ColorSpace, VISIBLE_NM, White};
+use super::fringes::fringes;
+use super::spectral_grid::edges;
 use super::spectral_sums::{SpectrumNode, Sums};
-use super::stack::{Incidence, Layer, P, Response, S, Side, Stack};
+use super::stack::{Layer, P, Response, S, Side, Stack};
 use super::{Complex, Medium};
 use crate::error::Error;
-use crate::num::{PI, Rgb};
+use crate::num::Rgb;
 
 /// The greatest change of a channel at the last halving of the intervals.
 pub const TOLERANCE: f64 = 1e-5;
@@ -32,8 +38,6 @@ const SAMPLES_PER_FRINGE: f64 = 4.0;
 /// The trapezoid rule converges much faster with equal steps. They are used unless they take more than this
 /// factor times the intervals of the graded grid.
 const UNIFORM_WITHIN: usize = 16;
-/// A layer that less than this fraction of the light crosses shows no fringes.
-const OPAQUE: f64 = 1e-7;
 
 /// A stack of media, prepared for any thicknesses and angle.
 ///
@@ -51,6 +55,8 @@ pub struct Reference {
     stored: Vec<StoredWavelength>,
     /// The indices of ambient, layers and base at each stored wavelength.
     stored_indices: Vec<Complex<f64>>,
+    /// The ends of the coarsest intervals, if a medium is given by a table.
+    edges: Option<Box<[f64]>>,
 }
 
 /// A stored wavelength and its weights in the channels.
@@ -100,7 +106,14 @@ impl Reference {
                 .chain(std::iter::once(&base));
             stored_indices.extend(media.map(|medium| medium.index(wavelength_nm)));
         }
+        let media = || {
+            let outer = [&ambient, &base].into_iter();
+            outer.chain(&layers)
+        };
+        let is_bent = media().any(|medium| !medium.nodes_nm().is_empty());
+        let edges = is_bent.then(|| edges(STEPS, media())).transpose()?;
         Ok(Self {
+            edges: edges.map(Vec::into_boxed_slice),
             ambient,
             layers,
             base,
@@ -191,8 +204,13 @@ impl<'a> Integration<'a> {
         loop {
             let midpoints = self.midpoints(parts);
             parts *= 2;
-            sums = sums.halved(&midpoints);
-            let finer = sums.colors();
+            let halved = sums.halved(&midpoints);
+            let finer = if self.reference.edges.is_some() {
+                halved.extrapolated(&sums).colors()
+            } else {
+                halved.colors()
+            };
+            sums = halved;
             let changes = colors.as_flattened().iter().zip(finer.as_flattened());
             let change = changes.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             colors = finer;
@@ -210,6 +228,9 @@ impl<'a> Integration<'a> {
 
     /// Finds the grid and the integrals by the trapezoid rule on it.
     fn resolve(&mut self) -> Sums {
+        if let Some(edges) = &self.reference.edges {
+            return self.grid_between(edges);
+        }
         let fringes_per_nm = self.fringes_per_nm();
         let level = (fringes_per_nm * SAMPLES_PER_FRINGE * STEP_NM)
             .log2()
@@ -244,6 +265,26 @@ impl<'a> Integration<'a> {
                 self.accept(start, width, &left, &right, &mut sums);
             }
             left = right;
+        }
+        sums
+    }
+
+    /// Makes a grid of the intervals between `edges`, each divided for its fringes and, near resonances, halved
+    /// further.
+    fn grid_between(&mut self, edges: &[f64]) -> Sums {
+        let mut sums = Sums::default();
+        let mut left = self.sample(edges[0]);
+        for pair in edges.windows(2) {
+            let fringes = self.fringes_between([pair[0], pair[1]]);
+            let parts = (fringes * SAMPLES_PER_FRINGE).ceil();
+            let parts = parts.clamp(1.0, f64::from(1 << MAX_LEVEL));
+            let width = (pair[1] - pair[0]) / parts;
+            for part in 1..=parts as u32 {
+                let start = pair[0] + f64::from(part - 1) * width;
+                let right = self.sample(pair[0] + f64::from(part) * width);
+                self.divide(start, width, &left, &right, &mut sums);
+                left = right;
+            }
         }
         sums
     }
@@ -361,35 +402,24 @@ impl<'a> Integration<'a> {
 
     fn fringes_per_nm_at(&self, stored: usize) -> f64 {
         let reference = self.reference;
-        let ends = [stored, stored + 1].map(|stored| {
-            let indices = reference.indices_at(stored);
-            let near = if self.side == Side::Ambient {
-                0
-            } else {
-                indices.len() - 1
-            };
-            let incidence = Incidence::new(indices[near].re, self.cos_theta);
-            (indices, incidence, reference.stored[stored].wavelength_nm)
-        });
-        let (mut turns, mut light) = (0.0, 1.0);
-        for step in 0..self.layers.len() {
-            let layer = match self.side {
-                Side::Ambient => step,
-                Side::Base => self.layers.len() - 1 - step,
-            };
-            let [a, b] = ends.map(|(indices, incidence, wavelength_nm)| {
-                incidence.wave(indices[layer + 1]).immittance[S].scaled(1.0 / wavelength_nm)
-            });
-            // Thickness that no light reaches adds no fringes.
-            let extinction = 4.0 * PI * a.im;
-            let depth_nm = (light / OPAQUE).ln() / extinction.max(f64::MIN_POSITIVE);
-            let thickness_nm = self.layers[layer].thickness_nm.min(depth_nm);
-            turns += 2.0 * thickness_nm * (a.re - b.re).abs();
-            light *= (-extinction * thickness_nm).exp();
-            if thickness_nm == depth_nm {
-                break;
-            }
-        }
-        turns / (ends[1].2 - ends[0].2)
+        let ends = [stored, stored + 1].map(|stored| reference.indices_at(stored));
+        let nm = [stored, stored + 1].map(|stored| reference.stored[stored].wavelength_nm);
+        self.fringes(nm, |end, medium| ends[end][medium]) / (nm[1] - nm[0])
+    }
+
+    /// The number of fringes between two wavelengths, nm, between which indices are linear.
+    fn fringes_between(&self, nm: [f64; 2]) -> f64 {
+        let reference = self.reference;
+        let last = self.layers.len() + 1;
+        self.fringes(nm, |end, medium| match medium {
+            0 => reference.ambient.index(nm[end]),
+            _ if medium == last => reference.base.index(nm[end]),
+            _ => reference.layers[medium - 1].index(nm[end]),
+        })
+    }
+
+    fn fringes(&self, nm: [f64; 2], index: impl Fn(usize, usize) -> Complex<f64>) -> f64 {
+        let thicknesses = self.layers.iter().map(|layer| layer.thickness_nm);
+        fringes(self.side, self.cos_theta, thicknesses, nm, index)
     }
 }

@@ -51,8 +51,8 @@ pub struct Stack<'a, T> {
 pub enum Side {
     /// The light comes from the ambient medium.
     Ambient,
-    /// The light comes from the base. If the base absorbs, no light arrives, and reflectance and
-    /// transmittance are 0.
+    /// The light comes from the base, in which it travels as if the extinction there were 0: how a wave decays on
+    /// its way to the stack is no property of the stack. What that leaves out is of the order of k.
     Base,
 }
 
@@ -112,13 +112,6 @@ impl<T: Real<Mask = bool>> Stack<'_, T> {
                 let incidence = Incidence::new(self.ambient, cos_theta);
                 cross(incidence, layers.rev(), self.base, wavelength_nm)
             }
-            Side::Base if self.base.im.gt(T::new(0.0)) => (
-                Response {
-                    reflectance: [T::new(0.0); 2],
-                    transmittance: [T::new(0.0); 2],
-                },
-                [Complex::real(T::new(1.0)); 2],
-            ),
             Side::Base => {
                 let incidence = Incidence::new(self.base.re, cos_theta);
                 cross(incidence, layers, ambient, wavelength_nm)

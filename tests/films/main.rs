@@ -1,5 +1,6 @@
 //! Films: their methods, plans and tables, and the smooth `film` model that shows them.
 
+mod absorbing_base;
 mod accuracy;
 mod bsdf;
 mod bsdf_create;
@@ -9,6 +10,7 @@ mod common;
 mod compiled;
 mod film_lobes;
 mod limits;
+mod measured_tables;
 mod narrow_ranges;
 mod plan;
 mod plan_cases;

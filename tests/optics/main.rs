@@ -9,4 +9,5 @@ mod media;
 mod reference;
 mod stack;
 mod stacks;
+mod tables;
 mod vectors;

@@ -7,8 +7,8 @@
 //!
 //! **Reflection**: wi mirrors wo, weight R.
 //!
-//! **Transmission**, for a film that keeps its transmittance on a base that does not absorb: wi is
-//! refracted by Snell's law between ambient and base. The weight is T (eta_o / eta_i)^2, because refraction
+//! **Transmission**, for a film that keeps its transmittance on a base that is not opaque (k of at most 1e-3 at
+//! 550 nm, unless the film's description says otherwise): wi is refracted by Snell's law between ambient and base. The weight is T (eta_o / eta_i)^2, because refraction
 //! compresses the solid angle of radiance (Veach 1997, "Robust Monte Carlo Methods for Light Transport
 //! Simulation", section 5.2). Layers shift a ray but do not turn it, so that directions pass unchanged if
 //! base and ambient have the same index, as for a soap bubble. All colours take the direction of 550 nm,
@@ -58,7 +58,7 @@ const REFRACTION_NM: f64 = 550.0;
 impl Model for ThinFilm {
     const INFO: ModelInfo = ModelInfo {
         name: "film",
-        summary: "Needs a film: a smooth surface coated with it, which reflects and, if the film keeps its transmittance and its base is transparent, transmits.",
+        summary: "Needs a film: a smooth surface coated with it, which reflects and, if the film keeps its transmittance and its base is not opaque, transmits.",
         source: "Abeles 1950 and Macleod, Thin-Film Optical Filters, chapter 2; directions by Snell's law",
         params: &[ParamInfo::number("thickness_nm", "Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit("nm")],
         lobes: &[
@@ -90,12 +90,12 @@ impl Model for ThinFilm {
     }
 }
 
-/// The note in the plan of a BSDF whose base is transparent although its film keeps no transmittance.
+/// The note in the plan of a BSDF whose base is not opaque although its film keeps no transmittance.
 const LOST_IN_BASE: &str = "what enters the base is absorbed, as the film keeps no transmittance";
 
 /// Whether the BSDF has transmission.
 fn transmits(film: &Film) -> bool {
-    film.description().transmittance && !film.description().base.absorbs()
+    film.description().transmittance && !film.description().is_base_opaque()
 }
 
 /// The refraction of directions between the half-spaces.
@@ -293,7 +293,7 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
     }
 
     fn plan(&self) -> Vec<&'static str> {
-        let is_lost = self.refraction.is_none() && !self.film.description().base.absorbs();
+        let is_lost = self.refraction.is_none() && !self.film.description().is_base_opaque();
         is_lost.then_some(LOST_IN_BASE).into_iter().collect()
     }
 }

@@ -72,8 +72,11 @@ pub(in crate::film) struct FringeSeries {
     is_lossless: bool,
     /// Whether the relative index of the half-spaces depends on the wavelength.
     has_branches: bool,
-    /// Whether wavenumbers are chosen for every angle so that they resolve the resonances of the other layers.
+    /// Whether wavenumbers are chosen for every angle so that they resolve the resonances of the other layers and the
+    /// lines of tables of measurements.
     is_graded: bool,
+    /// The wavelengths of tables of measurements as wavenumbers, per nm, ascending: there the index bends.
+    bends: Vec<f64>,
 }
 
 /// A series at one angle, ready for any thickness of the summed layer.
@@ -131,13 +134,19 @@ impl FringeSeries {
             most_path: 2.0 * MOST_GROUP * most_index,
             is_uniform: ranges.len() < 2 && is_constant,
             is_lossless: media.iter().all(|medium| !medium.absorbs()),
-            has_branches: description.disperses() && !description.base.absorbs(),
+            has_branches: description.disperses() && !description.is_base_opaque(),
             spectrum,
             media,
             weights,
             summed,
             ranges,
             is_graded: false,
+            bends: description
+                .nodes_nm()?
+                .iter()
+                .rev()
+                .map(|nm| 1.0 / nm)
+                .collect(),
         })
     }
 
@@ -236,7 +245,7 @@ impl FringeSeries {
             return Some(Spectrum::in_cells(
                 &self.media,
                 &self.weights,
-                &branches,
+                [&branches, &self.bends],
                 count,
                 |wavenumbers, indices| {
                     let media = StackMedia {

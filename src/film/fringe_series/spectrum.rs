@@ -153,20 +153,28 @@ impl Spectrum {
     }
 
     /// Cells of four wavenumbers each, by Gauss and Legendre's rule, halved until `is_resolved` says yes. At branch
-    /// points the rule is over the root of the distance. `count` is half the number of cells before the halving.
+    /// points the rule is over the root of the distance, and where an index bends cells end. `count` is half the number
+    /// of cells before the halving.
     pub fn in_cells(
         media: &[Medium],
         weights: &ChannelWeights,
-        branches: &[f64],
+        [branches, bends]: [&[f64]; 2],
         count: usize,
         mut is_resolved: impl FnMut(&Wavenumbers, &[Complex<F64x4>]) -> bool,
     ) -> Self {
         let [first, last] = [VISIBLE_NM[1], VISIBLE_NM[0]].map(|nm| 1.0 / nm);
         let width = 2.0 * (last - first) / count as f64;
-        let ends = std::iter::once(first)
-            .chain(branches.iter().copied())
-            .chain(std::iter::once(last));
-        let ends: Vec<f64> = ends.collect();
+        let mut ends: Vec<(f64, bool)> = [first, last]
+            .iter()
+            .chain(bends)
+            .map(|&sigma| (sigma, false))
+            .chain(branches.iter().map(|&sigma| (sigma, true)))
+            .collect();
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        ends.dedup_by(|a, b| {
+            b.1 |= a.1 && a.0 == b.0;
+            a.0 == b.0
+        });
         let mut spectrum = Self {
             wavenumbers: Vec::new(),
             indices: Vec::new(),
@@ -174,14 +182,14 @@ impl Spectrum {
             spacing: width / CELL,
         };
         let mut white = [0.0; 3];
-        for (panel, pair) in ends.windows(2).enumerate() {
-            let [from, to] = [pair[0], pair[1]];
+        for pair in ends.windows(2) {
+            let [(from, is_branch_before), (to, is_branch_after)] = [pair[0], pair[1]];
             let parts = ((to - from) / width).ceil().max(1.0) as usize;
             let width = (to - from) / parts as f64;
             // The cells still to do, the next one last.
             let cell = |i: usize| {
-                let begins = i == 0 && panel > 0;
-                let ends_here = i + 1 == parts && panel + 2 < ends.len();
+                let begins = i == 0 && is_branch_before;
+                let ends_here = i + 1 == parts && is_branch_after;
                 let start = from + i as f64 * width;
                 match (begins, ends_here) {
                     (false, false) => vec![Cell::plain(start, width)],

@@ -83,9 +83,13 @@ impl MethodInfo {
         match &self.compile {
             Compile::OneLayer(compile) => {
                 let method = OneLayerFilm::new(planner.description, compile, size)?;
-                Ok(Some(
-                    planner.measured(Box::new(method), (compile.work)(size)),
-                ))
+                let mut candidate = planner.measured(Box::new(method), (compile.work)(size));
+                if self.is_automatic {
+                    // Where few points are measured, none need lie where a line of a table shows.
+                    let unresolved = planner.description.unresolved(size)?;
+                    candidate.errors.max = candidate.errors.max.max(unresolved);
+                }
+                Ok(Some(candidate))
             }
             Compile::Film(compile) => compile(planner),
         }

@@ -33,7 +33,7 @@ const CLIMB: u32 = 40;
 /// The greatest step of the logarithms of cosine and thickness, at the start and at the end.
 const FARTHEST: f64 = 0.7;
 const NEAREST: f64 = 1e-3;
-/// One point in this number is compared with the reference.
+/// One point in this number is compared with the reference; every point, if a medium is given by a table.
 const SELDOM: usize = 9;
 
 /// The coarsest series whose error is below the tolerance where films are hardest, and that error; if
@@ -47,7 +47,9 @@ pub(super) fn converged(
     let points: Vec<_> = corners(description)
         .chain(points(description, POINTS))
         .collect();
-    let seldom: Vec<_> = points.iter().step_by(SELDOM).copied().collect();
+    let has_tables = !description.nodes_nm()?.is_empty();
+    let stride = if has_tables { 1 } else { SELDOM };
+    let seldom: Vec<_> = points.iter().step_by(stride).copied().collect();
     let mut truth: Option<Vec<Colors<f64>>> = None;
     let mut error_of = |found: &[Colors<f64>], before: &[Colors<f64>]| {
         let mut error = greatest(description, before, found) / FASTER;
@@ -58,7 +60,7 @@ pub(super) fn converged(
                 };
                 seldom.iter().map(exact).collect()
             });
-            let same: Vec<_> = found.iter().step_by(SELDOM).copied().collect();
+            let same: Vec<_> = found.iter().step_by(stride).copied().collect();
             error = error.max(greatest(description, &same, truth));
         }
         error
@@ -72,13 +74,24 @@ pub(super) fn converged(
             let series = FringeSeries::new(description, count)?;
             Ok::<_, Error>(if is_graded { series.graded() } else { series })
         };
+        // The lines of tables of measurements may be too narrow for equidistant wavenumbers, however many.
+        let unresolved = |count| {
+            if is_graded {
+                Ok(0.0)
+            } else {
+                description.unresolved(count)
+            }
+        };
+        if unresolved(most)? > tolerance {
+            continue;
+        }
         let mut count = least;
         let mut values = evaluated(&series(count)?, &points);
         while count < most {
             count += count / 2;
             let fine = series(count)?;
             let found = evaluated(&fine, &points);
-            let error = error_of(&found, &values);
+            let error = error_of(&found, &values).max(unresolved(count)?);
             values = found;
             if error < best.1 {
                 best = (fine, error);
@@ -100,6 +113,10 @@ pub(in crate::film) fn uncertainty(
     count: usize,
     allowed: f64,
 ) -> Result<f64, Error> {
+    let unresolved = description.unresolved(series.len())?;
+    if unresolved > allowed {
+        return Ok(unresolved);
+    }
     let fine = FringeSeries::new(description, series.len() + series.len() / 2)?;
     let difference = |&point: &(Side, f64, f64)| {
         let [series, fine] = [series, &fine].map(|series| evaluated(series, &[point]));

@@ -49,7 +49,7 @@ impl ConstantSides {
         series: &FringeSeries,
         limits: FitLimits,
     ) -> Result<Option<(Self, Errors)>, Error> {
-        let is_opaque = description.base.absorbs();
+        let is_opaque = description.is_base_opaque();
         let [ambient, base] =
             [&description.ambient, &description.base].map(|medium| medium.index(MIDDLE_NM).re);
         let rarer = if is_opaque || ambient <= base {

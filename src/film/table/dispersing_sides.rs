@@ -98,7 +98,7 @@ impl OneSide {
         limits: FitLimits,
         errors: &mut Errors,
     ) -> Result<Option<Self>, Error> {
-        let is_opaque = description.base.absorbs();
+        let is_opaque = description.is_base_opaque();
         let [near, far] = near_and_far(description, side);
         let mut sampler = SeriesSampler::new(series);
         let mut fitted = |source: &mut ColorSource<'_>| {

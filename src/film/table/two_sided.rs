@@ -28,7 +28,8 @@ impl TwoSidedTables {
         series: &FringeSeries,
         limits: FitLimits,
     ) -> Result<Option<(Self, Errors)>, Error> {
-        if description.disperses() {
+        // Both sides of a base that absorbs share neither tables nor what is beyond the critical angle.
+        if description.disperses() || description.is_base_tinted() {
             let fitted = DispersingSides::fit(description, series, limits)?;
             return Ok(fitted.map(|(sides, errors)| (Self::Dispersing(sides), errors)));
         }

@@ -47,7 +47,7 @@ pub fn run(data: &[u8]) {
         255 => bytes.word() as usize | 65,
         _ => layers.len(),
     };
-    let desc = PellicleFilmDesc {
+    let mut desc = PellicleFilmDesc {
         medium_size: element_size::<PellicleMedium>(bytes),
         layer_size: element_size::<PellicleLayer>(bytes),
         ambient: if bytes.byte() % 2 == 0 {
@@ -68,8 +68,14 @@ pub fn run(data: &[u8]) {
         method: memory.texts.optional_name(bytes, &METHODS),
         simd_level: null(),
         unclipped: u32::from(bytes.byte() / 64),
-        transmittance: u32::from(bytes.byte() / 64),
+        transmittance: 0,
+        base_opaque: 0,
+        extrapolate: 0,
     };
+    let switches = bytes.byte();
+    desc.transmittance = u32::from(switches / 64);
+    desc.base_opaque = u32::from(switches % 16 / 5);
+    desc.extrapolate = u32::from(switches % 64 / 31);
     let mut handle = Output::<*mut PellicleFilm>::new();
     // SAFETY: all that the description names is alive; counts beyond the layers are refused.
     let status = unsafe { create(&desc, bytes, handle.pointer()) };
@@ -274,7 +280,16 @@ unsafe fn call(film: *const PellicleFilm, bytes: &mut Bytes, is_unclipped: bool,
             // Rounding of a sum of all that returns.
             must_be_within(&spectrum.get(), 1.000_001);
         } else {
-            assert!(!wavelengths.into_iter().all(|nm| nm.is_finite() && nm > 0.0));
+            let mut info = Output::<PellicleFilmInfo>::new();
+            let size = size_of::<PellicleFilmInfo>();
+            assert_eq!(pellicle_film_info(film, info.pointer(), size), PELLICLE_OK);
+            let PellicleFilmInfo {
+                lambda_min_nm: min,
+                lambda_max_nm: max,
+                ..
+            } = info.get();
+            let is_known = |nm: &f32| nm.is_finite() && *nm > 0.0 && (min..=max).contains(nm);
+            assert!(!wavelengths.iter().all(is_known));
             spectrum.must_be_untouched();
         }
     }
