@@ -165,7 +165,7 @@ unsafe fn write(target: *mut f32, rgb: [f32; 3]) {
 }
 
 #[inline(always)]
-fn known_side(side: u32) -> Result<Side, Error> {
+pub(super) fn known_side(side: u32) -> Result<Side, Error> {
     match side {
         PELLICLE_SIDE_AMBIENT => Ok(Side::Ambient),
         PELLICLE_SIDE_BASE => Ok(Side::Base),

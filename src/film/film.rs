@@ -28,7 +28,7 @@ pub struct Film {
 
 /// The least cosine; smaller ones are replaced by it. At 0 even the thinnest film is a perfect mirror,
 /// while a base without film may reflect nothing.
-const LEAST_COSINE: f32 = 1e-9;
+pub(super) const LEAST_COSINE: f32 = 1e-9;
 
 impl Film {
     /// Validates a description and compiles it.

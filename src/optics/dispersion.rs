@@ -3,6 +3,7 @@
 use super::media::NamedMedium;
 use super::{Complex, RGB_WAVELENGTHS_NM};
 use crate::error::Error;
+use crate::num::{F64x4, Real};
 
 /// The range of eta that a caller may give. The least value is far below that of any metal and keeps the
 /// permittivity away from 0, where p-polarised fields are unbounded.
@@ -93,25 +94,45 @@ impl Medium {
 
     /// The complex index at a vacuum wavelength, nm.
     pub fn index(&self, wavelength_nm: f64) -> Complex<f64> {
+        self.index_with(wavelength_nm, |lambda_nm, index| {
+            look_up(lambda_nm, index, wavelength_nm)
+        })
+    }
+
+    /// The complex index at a vacuum wavelength (nm) in each lane: formulas are evaluated in all lanes at once.
+    #[inline(always)]
+    pub(crate) fn index_lanes(&self, wavelength_nm: F64x4) -> Complex<F64x4> {
+        self.index_with(wavelength_nm, |lambda_nm, index| {
+            let found = wavelength_nm
+                .to_array()
+                .map(|nm| look_up(lambda_nm, index, nm));
+            Complex::new(
+                F64x4::from_fn(|lane| found[lane].re),
+                F64x4::from_fn(|lane| found[lane].im),
+            )
+        })
+    }
+
+    #[inline(always)]
+    fn index_with<T: Real>(
+        &self,
+        wavelength_nm: T,
+        look_up: impl FnOnce(&[f64], &[Complex<f64>]) -> Complex<T>,
+    ) -> Complex<T> {
         match &self.0 {
             Kind::Named(named) => named.index(wavelength_nm),
             Kind::Rgb(index) => {
                 let [u0, u1, u2] = RGB_WAVELENGTHS_NM.map(inverse_square);
                 let u = inverse_square(wavelength_nm);
-                if u < u1 {
-                    mix(index[0], index[1], (u - u0) / (u1 - u0))
-                } else {
-                    mix(index[1], index[2], (u - u1) / (u2 - u1))
-                }
+                let [a, b, c] = index.map(|index| Complex::new(T::new(index.re), T::new(index.im)));
+                let share = |from: f64, to: f64| (u - T::new(from)) / T::new(to - from);
+                Complex::select(
+                    u.lt(T::new(u1)),
+                    mix(a, b, share(u0, u1)),
+                    mix(b, c, share(u1, u2)),
+                )
             }
-            Kind::Table { lambda_nm, index } => {
-                let above = lambda_nm.partition_point(|&nm| nm <= wavelength_nm);
-                let (Some(below), true) = (above.checked_sub(1), above < index.len()) else {
-                    return index[above.min(index.len() - 1)];
-                };
-                let t = (wavelength_nm - lambda_nm[below]) / (lambda_nm[above] - lambda_nm[below]);
-                mix(index[below], index[above], t)
-            }
+            Kind::Table { lambda_nm, index } => look_up(lambda_nm, index),
         }
     }
 
@@ -163,13 +184,25 @@ fn check(name: &str, values: &[f64], [min, max]: [f64; 2]) -> Result<(), Error> 
     )))
 }
 
-fn inverse_square(wavelength_nm: f64) -> f64 {
-    1.0 / (wavelength_nm * wavelength_nm)
+/// Linear between the wavelengths of a table, constant outside.
+fn look_up(lambda_nm: &[f64], index: &[Complex<f64>], wavelength_nm: f64) -> Complex<f64> {
+    let above = lambda_nm.partition_point(|&nm| nm <= wavelength_nm);
+    let (Some(below), true) = (above.checked_sub(1), above < index.len()) else {
+        return index[above.min(index.len() - 1)];
+    };
+    let t = (wavelength_nm - lambda_nm[below]) / (lambda_nm[above] - lambda_nm[below]);
+    mix(index[below], index[above], t)
+}
+
+#[inline(always)]
+fn inverse_square<T: Real>(wavelength_nm: T) -> T {
+    T::new(1.0) / wavelength_nm.squared()
 }
 
 /// a + (b - a) t with t clamped to [0, 1]; exactly a for a = b.
-fn mix(a: Complex<f64>, b: Complex<f64>, t: f64) -> Complex<f64> {
-    a + (b - a).scaled(t.clamp(0.0, 1.0))
+#[inline(always)]
+fn mix<T: Real>(a: Complex<T>, b: Complex<T>, t: T) -> Complex<T> {
+    a + (b - a).scaled(t.max(T::new(0.0)).min(T::new(1.0)))
 }
 
 fn all_equal(index: &[Complex<f64>]) -> Option<Complex<f64>> {

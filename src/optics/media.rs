@@ -5,6 +5,7 @@
 //! sources. docs/media.md compares the metals with other published data.
 
 use super::Complex;
+use crate::num::Real;
 
 /// The wavelengths for which the formulas are valid, nm. Outside, the index is constant.
 const RANGE_NM: [f64; 2] = [380.0, 780.0];
@@ -93,45 +94,58 @@ impl NamedMedium {
         matches!(self.formula, Formula::Vacuum).then_some(Complex::real(1.0))
     }
 
-    /// The complex index at a vacuum wavelength, nm; constant outside 380-780 nm.
-    pub fn index(&self, wavelength_nm: f64) -> Complex<f64> {
-        let nm = wavelength_nm.clamp(RANGE_NM[0], RANGE_NM[1]);
-        let um_squared = (nm * 1e-3).powi(2);
+    /// The complex index at a vacuum wavelength, nm, or at one in each lane; constant outside 380-780 nm.
+    #[inline(always)]
+    pub fn index<T: Real>(&self, wavelength_nm: T) -> Complex<T> {
+        let [least, greatest] = RANGE_NM.map(T::new);
+        let nm = wavelength_nm.max(least).min(greatest);
+        let one = T::new(1.0);
+        let um_squared = (nm * T::new(1e-3)).squared();
         let eta = match self.formula {
             Formula::Chebyshev { eta, k } => {
-                let u = (nm - 580.0) / 200.0;
+                let u = (nm - T::new(580.0)) / T::new(200.0);
                 // The fit of k may be below 0 where the source has 0.
-                return Complex::new(chebyshev(eta, u), chebyshev(k, u).max(0.0));
+                return Complex::new(chebyshev(eta, u), chebyshev(k, u).max(T::new(0.0)));
             }
-            Formula::Vacuum => 1.0,
+            Formula::Vacuum => one,
             Formula::Gas { terms } => {
-                1.0 + terms
-                    .iter()
-                    .map(|[b, c]| b / (c - 1.0 / um_squared))
-                    .sum::<f64>()
+                let inverse = one / um_squared;
+                one + sum(terms, |[b, c]| b / (c - inverse))
             }
             Formula::Sellmeier { terms } => {
-                let sum: f64 = terms
-                    .iter()
-                    .map(|[b, c]| b * um_squared / (um_squared - c))
-                    .sum();
-                (1.0 + sum).sqrt()
+                (one + sum(terms, |[b, c]| b * um_squared / (um_squared - c))).sqrt()
             }
-            Formula::CauchyNm {
-                coefficients: [a, b, c],
-            } => a + (b + c / nm.powi(2)) / nm.powi(2),
+            Formula::CauchyNm { coefficients } => {
+                let [a, b, c] = coefficients.map(T::new);
+                a + (b + c / nm.squared()) / nm.squared()
+            }
         };
         Complex::real(eta)
     }
 }
 
-/// sum c_j T_j(u) by Clenshaw's recurrence (Clenshaw 1955).
-fn chebyshev(coefficients: &[f64], u: f64) -> f64 {
-    let (mut b1, mut b2) = (0.0, 0.0);
-    for c in coefficients.iter().skip(1).rev() {
-        (b1, b2) = (c + 2.0 * u * b1 - b2, b1);
+/// The sum of a formula's terms.
+#[inline(always)]
+fn sum<T: Real>(terms: &[[f64; 2]], term: impl Fn([T; 2]) -> T) -> T {
+    let mut sum = T::new(0.0);
+    for constants in terms {
+        sum = sum + term(constants.map(T::new));
     }
-    coefficients.first().map_or(0.0, |c| c + u * b1 - b2)
+    sum
+}
+
+/// sum c_j T_j(u) by Clenshaw's recurrence (Clenshaw 1955).
+#[inline(always)]
+fn chebyshev<T: Real>(coefficients: &[f64], u: T) -> T {
+    let Some((first, others)) = coefficients.split_first() else {
+        return T::new(0.0);
+    };
+    let twice = u + u;
+    let (mut b1, mut b2) = (T::new(0.0), T::new(0.0));
+    for c in others.iter().rev() {
+        (b1, b2) = (T::new(*c) + twice * b1 - b2, b1);
+    }
+    T::new(*first) + u * b1 - b2
 }
 
 #[rustfmt::skip] // one series per line

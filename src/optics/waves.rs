@@ -65,7 +65,7 @@ impl<T: Real> Incidence<T> {
 /// A plane wave in one medium.
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<T> {
-    index: Complex<T>,
+    pub(super) index: Complex<T>,
     /// w for s and p; for s it is q itself.
     pub immittance: [Complex<T>; 2],
 }
@@ -73,6 +73,8 @@ pub struct Wave<T> {
 /// c, s and s / q of a layer, with E = exp(2 i q d 2 pi / lambda).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing<T> {
+    /// sqrt(E / |E|): the phase that a wave gains on one crossing.
+    pub phase: Complex<T>,
     /// (1 + E) / 2.
     pub cosine: Complex<T>,
     /// (1 - E) / 2.
@@ -98,6 +100,7 @@ impl<T: Real> Crossing<T> {
         let safe = Complex::select(is_critical, Complex::real(one), q);
         let limit = Complex::new(T::new(0.0), -(thickness * T::new(2.0 * PI)));
         Self {
+            phase: Complex::new(cos, sin),
             cosine: Complex::real(one) - sine,
             sine,
             sine_over_q: Complex::select(is_critical, limit, sine * safe.inverse()),
@@ -123,6 +126,8 @@ pub struct Slab<T> {
     forth: [Complex<T>; 2],
     /// s / w for s and p.
     back: [Complex<T>; 2],
+    /// sqrt(E / |E|).
+    pub(super) phase: Complex<T>,
     /// |E|, the factor of the power on a crossing.
     pub(crate) decay: T,
 }
@@ -155,6 +160,7 @@ impl<T: Real> Slab<T> {
         let crossing = Crossing::new(wave.immittance[S], thickness);
         let permittivity = wave.index * wave.index;
         Self {
+            phase: crossing.phase,
             cosine: crossing.cosine,
             forth: [
                 wave.immittance[S] * crossing.sine,

@@ -51,6 +51,25 @@ impl F64x4 {
         Self(std::array::from_fn(|i| f(self.0[i])))
     }
 
+    /// e^r - 1 and 2^n, for x = n ln 2 + r clamped to the range of exp.
+    #[inline(always)]
+    fn reduced_exp(self) -> [Self; 2] {
+        let x = self
+            .max(Self::new(LEAST_EXPONENT))
+            .min(Self::new(GREATEST_EXPONENT));
+        let whole = Self::new(WHOLE);
+        let shifted = x * Self::new(std::f64::consts::LOG2_E) + whole;
+        let n = shifted - whole;
+        let r = (x - n * Self::new(LN2_HIGH)) - n * Self::new(LN2_LOW);
+        let mut sum = Self::new(1.0);
+        for k in (2..=12).rev() {
+            sum = Self::new(1.0) + r * sum * Self::new(1.0 / f64::from(k));
+        }
+        // The integer n is in the lowest bits, from where a shift moves it into the exponent field.
+        let power = shifted.map(|s| f64::from_bits((s.to_bits().wrapping_add(1023)) << 52));
+        [r * sum, power]
+    }
+
     /// Cosine and sine of 2 pi x for |x| < 2^50, with an error of 1e-11: Taylor's series about the nearest
     /// quarter of a turn. The C library's functions do not work in lanes and differ between machines.
     #[inline(always)]
@@ -183,7 +202,7 @@ impl Real for F64x4 {
     fn new(value: f64) -> Self {
         Self([value; Self::COUNT])
     }
-    per_lane!(sqrt, abs, round, power_of_two, exp_m1, ln, ln_1p);
+    per_lane!(sqrt, abs, round, power_of_two, ln, ln_1p);
     per_lane_pair!(min, max);
     comparison!(lt, le, equals);
     #[inline(always)]
@@ -202,19 +221,15 @@ impl Real for F64x4 {
     /// x = n ln 2 + r, and Taylor's series of e^r. The relative error is 1e-14.
     #[inline(always)]
     fn exp(self) -> Self {
-        let least = Self::new(LEAST_EXPONENT);
-        let x = self.max(least).min(Self::new(GREATEST_EXPONENT));
-        let whole = Self::new(WHOLE);
-        let shifted = x * Self::new(std::f64::consts::LOG2_E) + whole;
-        let n = shifted - whole;
-        let r = (x - n * Self::new(LN2_HIGH)) - n * Self::new(LN2_LOW);
-        let mut sum = Self::new(1.0);
-        for k in (1..=12).rev() {
-            sum = Self::new(1.0) + r * sum * Self::new(1.0 / f64::from(k));
-        }
-        // The integer n is in the lowest bits, from where a shift moves it into the exponent field.
-        let power = shifted.map(|s| f64::from_bits((s.to_bits().wrapping_add(1023)) << 52));
-        Self::select(self.lt(least), Self::new(0.0), sum * power)
+        let [quotient, power] = self.reduced_exp();
+        let value = (Self::new(1.0) + quotient) * power;
+        Self::select(self.lt(Self::new(LEAST_EXPONENT)), Self::new(0.0), value)
+    }
+    /// As [`Real::exp`]: 2^n (e^r - 1) + (2^n - 1), of which the second term is exactly 0 for n = 0.
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        let [m1, power] = self.reduced_exp();
+        m1 * power + (power - Self::new(1.0))
     }
     #[inline(always)]
     fn split(self) -> (Self, Self) {
@@ -255,6 +270,20 @@ mod tests {
             let x = f64::from(i) * 0.01;
             let found = Real::exp(F64x4::new(x)).to_array()[2];
             assert!((found / x.exp() - 1.0).abs() < 3e-14, "{x}: {found}");
+            let found = F64x4::new(x).exp_m1().to_array()[1];
+            let error = if x == 0.0 {
+                found
+            } else {
+                found / x.exp_m1() - 1.0
+            };
+            assert!(error.abs() < 3e-14, "e^{x} - 1: {found}");
+        }
+        for x in [1e-3, -2e-7, 3e-12, -1e-300] {
+            let found = F64x4::new(x).exp_m1().to_array()[3];
+            assert!(
+                (found / x.exp_m1() - 1.0).abs() < 1e-15,
+                "e^{x} - 1: {found}"
+            );
         }
         for (x, expected) in [(-709.0, 0.0), (f64::NEG_INFINITY, 0.0), (0.0, 1.0)] {
             assert_eq!(Real::exp(F64x4::new(x)).to_array(), [expected; 4]);
