@@ -1,6 +1,7 @@
 //! Films: their methods, plans and tables, and the smooth `film` model that shows them.
 
 mod accuracy;
+mod amplitudes;
 mod bsdf;
 mod bsdf_create;
 mod bsdf_directions;
