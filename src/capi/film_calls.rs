@@ -8,6 +8,7 @@ use super::types::{
     PELLICLE_OK, PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE, PellicleFilm, PellicleStatus,
 };
 use crate::error::Error;
+use crate::film::check_wavelength;
 use crate::optics::stack::Side;
 
 /// Reflectance of unpolarised light from the ambient's side, RGB, into `rgb` (3 numbers).
@@ -181,15 +182,13 @@ fn wrong_side(side: u32) -> Error {
 }
 
 /// Refuses wavelengths before anything is written: outputs stay untouched if one of them is wrong.
-unsafe fn check_wavelengths(lambda_nm: *const f32, count: usize) -> Result<(), Error> {
+#[inline(always)]
+pub(super) unsafe fn check_wavelengths(lambda_nm: *const f32, count: usize) -> Result<(), Error> {
     // SAFETY: the caller vouches for `count` numbers.
-    let mut given = unsafe { elements(lambda_nm, count, "lambda_nm")? }.enumerate();
-    match given.find(|(_, nm)| !(nm.is_finite() && *nm > 0.0)) {
-        Some((at, nm)) => Err(Error::out_of_range(format!(
-            "lambda_nm[{at}] = {nm} is not finite and above 0"
-        ))),
-        None => Ok(()),
+    for (at, nm) in unsafe { elements(lambda_nm, count, "lambda_nm")? }.enumerate() {
+        check_wavelength(f64::from(nm), || format!("lambda_nm[{at}]"))?;
     }
+    Ok(())
 }
 
 /// Refuses arrays that overlap without being the same: a result would replace a wavelength not read yet.

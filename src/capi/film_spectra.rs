@@ -1,19 +1,19 @@
 //! A film at single wavelengths: amplitudes, reflectance and transmittance.
 
-use super::boundary::{elements, guard_call, require};
+use super::boundary::{guard_call, require};
 use super::c_types::size_t;
 use super::film::{handle, traps};
-use super::film_calls::known_side;
+use super::film_calls::{check_wavelengths, known_side};
 use super::film_types::PellicleAmplitudes;
 use super::types::{PellicleFilm, PellicleStatus};
 use crate::error::Error;
-use crate::film::{Ray, check_wavelength};
+use crate::film::Ray;
 use crate::optics::stack::{P, S};
 
 /// Reflectance and transmittance of unpolarised light from either side at single wavelengths, by full wave
 /// optics, for spectral renderers. Needs no PellicleFilmDesc::transmittance, and allocates nothing.
 ///
-/// `lambda_nm`: `count` vacuum wavelengths, nm; one outside [1, 1e6]: OUT_OF_RANGE. Named media are constant
+/// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE. Named media are constant
 /// outside the range of their data (PellicleMediumInfo). `reflectance`, `transmittance`: `count` numbers each,
 /// not clipped; either may be NULL if not wanted, not both; one that overlaps `lambda_nm` is INVALID_ARGUMENT.
 /// `cos_theta`, `thickness_nm` and `side` as in pellicle_film_eval().
@@ -77,7 +77,7 @@ pub unsafe extern "C" fn pellicle_film_spectrum_eval(
 ///     T_s = |t_s|^2 Re(n_far c_far) / (n_near c_near)
 ///     T_p = |t_p|^2 Re(n_far conj(c_far)) / (n_near c_near)
 ///
-/// `lambda_nm`: `count` vacuum wavelengths, nm; one outside [1, 1e6]: OUT_OF_RANGE. Named media are constant
+/// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE. Named media are constant
 /// outside the range of their data (PellicleMediumInfo). `amplitudes`: `count` structs; INVALID_ARGUMENT if they
 /// overlap `lambda_nm`. `cos_theta`, `thickness_nm` and `side` as in pellicle_film_eval(): everything is 0 from a
 /// base that absorbs.
@@ -134,16 +134,6 @@ unsafe fn rays(cos_theta: f32, thickness_nm: f32, lambda_nm: *const f32) -> impl
         // SAFETY: the caller vouches for the wavelength.
         wavelength_nm: f64::from(unsafe { lambda_nm.add(i).read_unaligned() }),
     }
-}
-
-/// Refuses wavelengths before anything is written: outputs stay untouched if one of them is wrong.
-#[inline(always)]
-unsafe fn check_wavelengths(lambda_nm: *const f32, count: usize) -> Result<(), Error> {
-    // SAFETY: the caller vouches for `count` numbers.
-    for (at, nm) in unsafe { elements(lambda_nm, count, "lambda_nm")? }.enumerate() {
-        check_wavelength(f64::from(nm), || format!("lambda_nm[{at}]"))?;
-    }
-    Ok(())
 }
 
 /// Refuses an output that overlaps the wavelengths: a result would replace one that is not read yet.

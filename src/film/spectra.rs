@@ -11,9 +11,6 @@ use crate::num::{F64x4, Real, widest};
 use crate::optics::stack::{Incidence, P, Response, S, Side};
 use crate::optics::{Amplitudes, Complex, Propagation};
 
-/// The range of vacuum wavelengths, nm: that of the tables of a [`Medium`](crate::optics::Medium).
-const WAVELENGTHS_NM: [f64; 2] = [1.0, 1e6];
-
 /// What a lane is about.
 #[derive(Clone, Copy)]
 pub(crate) struct Ray {
@@ -23,7 +20,7 @@ pub(crate) struct Ray {
 }
 
 impl Film {
-    /// Complex r_s, r_p, t_s and t_p at vacuum wavelengths in \[1, 1e6\] nm, written to the elements of
+    /// Complex r_s, r_p, t_s and t_p at vacuum wavelengths (nm, > 0), written to the elements of
     /// `found`. `cos_theta` and `thickness_nm` are as for [`Film::colors`], whose `transmittance` the
     /// description need not ask for. All is 0 from a base that absorbs, and for NaN.
     ///
@@ -198,20 +195,18 @@ fn lanes_of(value: Complex<F64x4>) -> [Complex<f64>; F64x4::COUNT] {
     std::array::from_fn(|lane| Complex::new(re[lane], im[lane]))
 }
 
-/// Refuses a wavelength outside the range. `name` is what the caller calls it.
+/// Refuses a wavelength that is not finite and above 0. `name` is what the caller calls it.
 #[inline(always)]
 pub(crate) fn check_wavelength(nm: f64, name: impl FnOnce() -> String) -> Result<(), Error> {
-    let [least, greatest] = WAVELENGTHS_NM;
-    if (least..=greatest).contains(&nm) {
+    if nm > 0.0 && nm < f64::INFINITY {
         return Ok(());
     }
-    Err(outside(nm, name()))
+    Err(wrong_wavelength(nm, &name()))
 }
 
 #[cold]
-fn outside(nm: f64, name: String) -> Error {
-    let [least, greatest] = WAVELENGTHS_NM;
-    Error::out_of_range(format!("{name} = {nm} is outside [{least}, {greatest}]"))
+fn wrong_wavelength(nm: f64, name: &str) -> Error {
+    Error::out_of_range(format!("{name} = {nm} is not finite and above 0"))
 }
 
 fn check<T>(lambda_nm: &[f64], found: &[T]) -> Result<(), Error> {

@@ -16,6 +16,10 @@ use super::Complex;
 use super::stack::{Fields, Incidence, P, Response, S, Slab, Wave};
 use crate::num::Real;
 
+/// Thicker layers count as this thick, in vacuum wavelengths. Beyond 2^50 turns double precision has no digits of the
+/// phase left, and the lanes' sine and cosine end; |q| is at most 1.5e3.
+const THICKEST: f64 = 5e11;
+
 /// Ratios of the electric fields of reflected and transmitted light to that of the incident light, with
 /// their phases: reflected light at the first surface of the stack, transmitted light at the last.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -53,6 +57,7 @@ impl<T: Real> Propagation<T> {
     /// The fields on the near side of a layer. One of thickness 0 changes nothing.
     #[inline(always)]
     pub fn cross(&mut self, index: Complex<T>, thickness_nm: T, wavelength_nm: T) {
+        let thickness_nm = thickness_nm.min(wavelength_nm * T::new(THICKEST));
         let slab = Slab::new(&self.near.wave(index), thickness_nm, wavelength_nm);
         self.fields = [
             self.fields[S].through(&slab, S),
