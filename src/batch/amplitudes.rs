@@ -70,11 +70,10 @@ pub unsafe fn film_amplitudes(film: &Film, args: &AmplitudeArgs) -> Result<(), E
             #[inline(always)]
             |_| {
                 let (i, c) = read.next();
-                let number = |view: &ConstView, c| f64::from(view.address(i, c).read_unaligned());
                 Ray {
-                    cos_theta: number(&args.cos_theta, 0),
-                    thickness_nm: number(&thickness_nm, 0),
-                    wavelength_nm: number(&args.lambda_nm, c),
+                    cos_theta: read_number(&args.cos_theta, i, 0),
+                    thickness_nm: read_number(&thickness_nm, i, 0),
+                    wavelength_nm: read_number(&args.lambda_nm, i, c),
                 }
             },
             #[inline(always)]
@@ -90,6 +89,13 @@ pub unsafe fn film_amplitudes(film: &Film, args: &AmplitudeArgs) -> Result<(), E
         );
     }
     Ok(())
+}
+
+/// Reads component c of element i.
+#[inline(always)]
+unsafe fn read_number(view: &ConstView, i: usize, c: usize) -> f64 {
+    // SAFETY: the caller vouches for the address.
+    f64::from(unsafe { view.address(i, c).read_unaligned() })
 }
 
 /// Writes the amplitude of element i at wavelength c.

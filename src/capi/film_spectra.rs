@@ -48,16 +48,22 @@ pub unsafe extern "C" fn pellicle_film_spectrum_eval(
                 check_apart("reflectance", reflectance, lambda_nm, count)?;
                 check_apart("transmittance", transmittance, lambda_nm, count)?;
                 let ray = rays(cos_theta, thickness_nm, lambda_nm);
-                film.each_response(side, count, ray, |i, found| {
-                    if !reflectance.is_null() {
-                        let value = found.unpolarized_reflectance() as f32;
-                        reflectance.add(i).write_unaligned(value);
-                    }
-                    if !transmittance.is_null() {
-                        let value = found.unpolarized_transmittance() as f32;
-                        transmittance.add(i).write_unaligned(value);
-                    }
-                });
+                film.each_response(
+                    side,
+                    count,
+                    ray,
+                    #[inline(always)]
+                    |i, found| {
+                        if !reflectance.is_null() {
+                            let value = found.unpolarized_reflectance() as f32;
+                            reflectance.add(i).write_unaligned(value);
+                        }
+                        if !transmittance.is_null() {
+                            let value = found.unpolarized_transmittance() as f32;
+                            transmittance.add(i).write_unaligned(value);
+                        }
+                    },
+                );
             }
             Ok(())
         },
@@ -110,12 +116,21 @@ pub unsafe extern "C" fn pellicle_film_amplitudes(
                 }
                 check_apart("amplitudes", amplitudes, lambda_nm, count)?;
                 let ray = rays(cos_theta, thickness_nm, lambda_nm);
-                film.each_amplitudes(side, count, ray, |i, found| {
-                    let [r_s, r_p] = [S, P].map(|pol| found.reflection[pol].to_f32());
-                    let [t_s, t_p] = [S, P].map(|pol| found.transmission[pol].to_f32());
-                    let value = PellicleAmplitudes { r_s, r_p, t_s, t_p };
-                    amplitudes.add(i).write_unaligned(value);
-                });
+                film.each_amplitudes(
+                    side,
+                    count,
+                    ray,
+                    #[inline(always)]
+                    |i, found| {
+                        let value = PellicleAmplitudes {
+                            r_s: found.reflection[S].to_f32(),
+                            r_p: found.reflection[P].to_f32(),
+                            t_s: found.transmission[S].to_f32(),
+                            t_p: found.transmission[P].to_f32(),
+                        };
+                        amplitudes.add(i).write_unaligned(value);
+                    },
+                );
             }
             Ok(())
         },
@@ -128,6 +143,7 @@ pub unsafe extern "C" fn pellicle_film_amplitudes(
 /// Whoever asks for a ray vouches for its wavelength.
 #[inline(always)]
 unsafe fn rays(cos_theta: f32, thickness_nm: f32, lambda_nm: *const f32) -> impl Fn(usize) -> Ray {
+    #[inline(always)]
     move |i| Ray {
         cos_theta: f64::from(cos_theta),
         thickness_nm: f64::from(thickness_nm),

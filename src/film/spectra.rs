@@ -8,8 +8,17 @@
 use super::film::{Film, LEAST_COSINE};
 use crate::error::Error;
 use crate::num::{F64x4, Real, widest};
-use crate::optics::stack::{Incidence, P, Response, S, Side};
+use crate::optics::stack::{Incidence, Response, Side};
 use crate::optics::{Amplitudes, Complex, Propagation};
+
+type LaneMask = <F64x4 as Real>::Mask;
+
+/// Cosines, thicknesses (nm) and wavelengths (nm) of four rays.
+type FourRays = [[f64; F64x4::COUNT]; 3];
+/// Real and imaginary parts of r_s, r_p, t_s and t_p.
+type FourAmplitudes = [[f64; F64x4::COUNT]; 8];
+/// R_s, R_p, T_s and T_p.
+type FourResponses = [[f64; F64x4::COUNT]; 4];
 
 /// What a lane is about.
 #[derive(Clone, Copy)]
@@ -69,18 +78,14 @@ impl Film {
         ray: impl FnMut(usize) -> Ray,
         mut found: impl FnMut(usize, Amplitudes<f64>),
     ) {
-        self.each_four(side, count, ray, |lanes, propagation, is_dark| {
-            let zero = Complex::real(F64x4::new(0.0));
-            let light = |value| lanes_of(Complex::select(is_dark, zero, value));
-            let all = propagation.amplitudes();
-            let [r, t] = [all.reflection, all.transmission].map(|pair| pair.map(light));
-            for (lane, i) in lanes.enumerate() {
-                let value = Amplitudes {
-                    reflection: [r[S][lane], r[P][lane]],
-                    transmission: [t[S][lane], t[P][lane]],
-                };
-                found(i, value);
-            }
+        let solve = |rays: &FourRays| self.four_amplitudes(side, rays);
+        each_four(count, ray, solve, |i, lane, solved: &FourAmplitudes| {
+            let part = |at: usize| Complex::new(solved[at][lane], solved[at + 1][lane]);
+            let value = Amplitudes {
+                reflection: [part(0), part(2)],
+                transmission: [part(4), part(6)],
+            };
+            found(i, value);
         });
     }
 
@@ -93,61 +98,49 @@ impl Film {
         ray: impl FnMut(usize) -> Ray,
         mut found: impl FnMut(usize, Response<f64>),
     ) {
-        self.each_four(side, count, ray, |lanes, propagation, is_dark| {
-            let light = |value| F64x4::select(is_dark, F64x4::new(0.0), value).to_array();
-            let all = propagation.response();
-            let [r, t] = [all.reflectance, all.transmittance].map(|pair| pair.map(light));
-            for (lane, i) in lanes.enumerate() {
-                let value = Response {
-                    reflectance: [r[S][lane], r[P][lane]],
-                    transmittance: [t[S][lane], t[P][lane]],
-                };
-                found(i, value);
-            }
+        let solve = |rays: &FourRays| self.four_responses(side, rays);
+        each_four(count, ray, solve, |i, lane, solved: &FourResponses| {
+            let value = Response {
+                reflectance: [solved[0][lane], solved[1][lane]],
+                transmittance: [solved[2][lane], solved[3][lane]],
+            };
+            found(i, value);
         });
     }
 
-    /// Calls `finish` with the numbers of each four rays, their fields at the first surface, and where they
-    /// bring no light.
-    #[inline(always)]
-    fn each_four(
-        &self,
-        side: Side,
-        count: usize,
-        mut ray: impl FnMut(usize) -> Ray,
-        mut finish: impl FnMut(std::ops::Range<usize>, Propagation<F64x4>, <F64x4 as Real>::Mask),
-    ) {
+    #[inline(never)]
+    fn four_amplitudes(&self, side: Side, rays: &FourRays) -> FourAmplitudes {
+        let mut solved = FourAmplitudes::default();
         widest(
             #[inline(always)]
             || {
-                let mut first = 0;
-                while first < count {
-                    let lanes = first..count.min(first + F64x4::COUNT);
-                    let mut rays = [ray(first); F64x4::COUNT];
-                    for lane in 1..F64x4::COUNT {
-                        // The last ray fills lanes that are left over.
-                        let is_left_over = first + lane >= count;
-                        rays[lane] = if is_left_over {
-                            rays[lane - 1]
-                        } else {
-                            ray(first + lane)
-                        };
-                    }
-                    let cos_theta = F64x4::from_fn(|lane| rays[lane].cos_theta);
-                    let thickness_nm = F64x4::from_fn(|lane| rays[lane].thickness_nm);
-                    let wavelength_nm = F64x4::from_fn(|lane| rays[lane].wavelength_nm);
-                    let is_nan = !(cos_theta.equals(cos_theta) & thickness_nm.equals(thickness_nm));
-                    let is_dark = if self.sends_no_light(side) {
-                        F64x4::new(0.0).equals(F64x4::new(0.0))
-                    } else {
-                        is_nan
-                    };
-                    let propagation = self.propagate(side, cos_theta, thickness_nm, wavelength_nm);
-                    finish(lanes, propagation, is_dark);
-                    first += F64x4::COUNT;
-                }
+                let (fields, is_dark) = self.propagate(side, rays);
+                let Amplitudes {
+                    reflection: [r_s, r_p],
+                    transmission: [t_s, t_p],
+                } = fields.amplitudes();
+                let parts = [
+                    r_s.re, r_s.im, r_p.re, r_p.im, t_s.re, t_s.im, t_p.re, t_p.im,
+                ];
+                store_lit(parts, is_dark, &mut solved);
             },
         );
+        solved
+    }
+
+    #[inline(never)]
+    fn four_responses(&self, side: Side, rays: &FourRays) -> FourResponses {
+        let mut solved = FourResponses::default();
+        widest(
+            #[inline(always)]
+            || {
+                let (fields, is_dark) = self.propagate(side, rays);
+                let found = fields.response();
+                let ([r_s, r_p], [t_s, t_p]) = (found.reflectance, found.transmittance);
+                store_lit([r_s, r_p, t_s, t_p], is_dark, &mut solved);
+            },
+        );
+        solved
     }
 
     /// Whether nothing arrives from that side.
@@ -155,20 +148,26 @@ impl Film {
         side == Side::Base && self.description().base.absorbs()
     }
 
-    /// The fields at the first surface. Inputs are clamped; NaN becomes a number.
+    /// The fields at the first surface, and the lanes that bring no light. Inputs are clamped; NaN becomes a
+    /// number.
     #[inline(always)]
-    fn propagate(
-        &self,
-        side: Side,
-        cos_theta: F64x4,
-        thickness_nm: F64x4,
-        wavelength_nm: F64x4,
-    ) -> Propagation<F64x4> {
+    fn propagate(&self, side: Side, rays: &FourRays) -> (Propagation<F64x4>, LaneMask) {
         let description = self.description();
+        let [cos_theta, thickness_nm, wavelength_nm] = [
+            F64x4::from_fn(|lane| rays[0][lane]),
+            F64x4::from_fn(|lane| rays[1][lane]),
+            F64x4::from_fn(|lane| rays[2][lane]),
+        ];
+        let is_number = cos_theta.equals(cos_theta) & thickness_nm.equals(thickness_nm);
+        let is_dark = if self.sends_no_light(side) {
+            is_number | !is_number
+        } else {
+            !is_number
+        };
         let least = F64x4::new(f64::from(LEAST_COSINE));
         let cos_theta = cos_theta.max(least).min(F64x4::new(1.0));
-        let [ambient, base] = [&description.ambient, &description.base]
-            .map(|medium| medium.index_lanes(wavelength_nm));
+        let ambient = description.ambient.index_lanes(wavelength_nm);
+        let base = description.base.index_lanes(wavelength_nm);
         let (near, far) = match side {
             Side::Ambient => (ambient, base),
             Side::Base => (base, ambient),
@@ -180,19 +179,58 @@ impl Film {
                 Side::Ambient => &layers[layers.len() - 1 - step],
                 Side::Base => &layers[step],
             };
-            let [min, max] = layer.thickness_nm.map(F64x4::new);
+            let [min, max] = layer.thickness_nm;
             let index = layer.medium.index_lanes(wavelength_nm);
-            fields.cross(index, thickness_nm.max(min).min(max), wavelength_nm);
+            let thickness_nm = thickness_nm.max(F64x4::new(min)).min(F64x4::new(max));
+            fields.cross(index, thickness_nm, wavelength_nm);
         }
-        fields
+        (fields, is_dark)
     }
 }
 
-/// The number in each lane.
+/// Stores numbers, 0 in dark lanes.
 #[inline(always)]
-fn lanes_of(value: Complex<F64x4>) -> [Complex<f64>; F64x4::COUNT] {
-    let [re, im] = [value.re.to_array(), value.im.to_array()];
-    std::array::from_fn(|lane| Complex::new(re[lane], im[lane]))
+fn store_lit<const N: usize>(
+    numbers: [F64x4; N],
+    is_dark: LaneMask,
+    stored: &mut [[f64; F64x4::COUNT]; N],
+) {
+    for i in 0..N {
+        stored[i] = F64x4::select(is_dark, F64x4::new(0.0), numbers[i]).to_array();
+    }
+}
+
+/// Solves `count` rays, four at a time, and calls `found` with the number of a ray, its lane and what was solved.
+#[inline(always)]
+fn each_four<T>(
+    count: usize,
+    mut ray: impl FnMut(usize) -> Ray,
+    solve: impl Fn(&FourRays) -> T,
+    mut found: impl FnMut(usize, usize, &T),
+) {
+    let mut first = 0;
+    while first < count {
+        let used = F64x4::COUNT.min(count - first);
+        let mut rays = FourRays::default();
+        for lane in 0..F64x4::COUNT {
+            if lane < used {
+                let ray = ray(first + lane);
+                rays[0][lane] = ray.cos_theta;
+                rays[1][lane] = ray.thickness_nm;
+                rays[2][lane] = ray.wavelength_nm;
+            } else {
+                // The first ray fills lanes that are left over.
+                for numbers in &mut rays {
+                    numbers[lane] = numbers[0];
+                }
+            }
+        }
+        let solved = solve(&rays);
+        for lane in 0..used {
+            found(first + lane, lane, &solved);
+        }
+        first += used;
+    }
 }
 
 /// Refuses a wavelength that is not finite and above 0. `name` is what the caller calls it.
@@ -224,6 +262,7 @@ fn check<T>(lambda_nm: &[f64], found: &[T]) -> Result<(), Error> {
 }
 
 fn rays(cos_theta: f64, thickness_nm: f64, lambda_nm: &[f64]) -> impl Fn(usize) -> Ray {
+    #[inline(always)]
     move |i| Ray {
         cos_theta,
         thickness_nm,

@@ -102,15 +102,22 @@ impl Medium {
     /// The complex index at a vacuum wavelength (nm) in each lane: formulas are evaluated in all lanes at once.
     #[inline(always)]
     pub(crate) fn index_lanes(&self, wavelength_nm: F64x4) -> Complex<F64x4> {
-        self.index_with(wavelength_nm, |lambda_nm, index| {
-            let found = wavelength_nm
-                .to_array()
-                .map(|nm| look_up(lambda_nm, index, nm));
-            Complex::new(
-                F64x4::from_fn(|lane| found[lane].re),
-                F64x4::from_fn(|lane| found[lane].im),
-            )
-        })
+        self.index_with(
+            wavelength_nm,
+            #[inline(always)]
+            |lambda_nm: &[f64], index: &[Complex<f64>]| {
+                let nm = wavelength_nm.to_array();
+                let [mut re, mut im] = [[0.0; F64x4::COUNT]; 2];
+                for lane in 0..F64x4::COUNT {
+                    let found = look_up(lambda_nm, index, nm[lane]);
+                    (re[lane], im[lane]) = (found.re, found.im);
+                }
+                Complex::new(
+                    F64x4::from_fn(|lane| re[lane]),
+                    F64x4::from_fn(|lane| im[lane]),
+                )
+            },
+        )
     }
 
     #[inline(always)]
@@ -121,16 +128,14 @@ impl Medium {
     ) -> Complex<T> {
         match &self.0 {
             Kind::Named(named) => named.index(wavelength_nm),
-            Kind::Rgb(index) => {
-                let [u0, u1, u2] = RGB_WAVELENGTHS_NM.map(inverse_square);
-                let u = inverse_square(wavelength_nm);
-                let [a, b, c] = index.map(|index| Complex::new(T::new(index.re), T::new(index.im)));
-                let share = |from: f64, to: f64| (u - T::new(from)) / T::new(to - from);
-                Complex::select(
-                    u.lt(T::new(u1)),
-                    mix(a, b, share(u0, u1)),
-                    mix(b, c, share(u1, u2)),
-                )
+            Kind::Rgb([a, b, c]) if a == b && b == c => constant(*a),
+            Kind::Rgb([a, b, c]) => {
+                let [u0, u1, u2] = RGB_INVERSE_SQUARES;
+                let u = T::new(1.0) / wavelength_nm.squared();
+                let (a, b, c) = (constant(*a), constant(*b), constant(*c));
+                let below = (u - T::new(u0)) * T::new(1.0 / (u1 - u0));
+                let above = (u - T::new(u1)) * T::new(1.0 / (u2 - u1));
+                Complex::select(u.lt(T::new(u1)), mix(a, b, below), mix(b, c, above))
             }
             Kind::Table { lambda_nm, index } => look_up(lambda_nm, index),
         }
@@ -194,9 +199,19 @@ fn look_up(lambda_nm: &[f64], index: &[Complex<f64>], wavelength_nm: f64) -> Com
     mix(index[below], index[above], t)
 }
 
+/// 1 / lambda^2 of [`RGB_WAVELENGTHS_NM`].
+const RGB_INVERSE_SQUARES: [f64; 3] = {
+    let [red, green, blue] = RGB_WAVELENGTHS_NM;
+    [
+        1.0 / (red * red),
+        1.0 / (green * green),
+        1.0 / (blue * blue),
+    ]
+};
+
 #[inline(always)]
-fn inverse_square<T: Real>(wavelength_nm: T) -> T {
-    T::new(1.0) / wavelength_nm.squared()
+fn constant<T: Real>(index: Complex<f64>) -> Complex<T> {
+    Complex::new(T::new(index.re), T::new(index.im))
 }
 
 /// a + (b - a) t with t clamped to [0, 1]; exactly a for a = b.

@@ -25,11 +25,8 @@ pub struct NamedMedium {
 /// A dispersion formula. Wavelengths are in micrometres unless the name says nm.
 #[derive(Debug)]
 enum Formula {
-    /// sum c_j T_j(u), u = (lambda_nm - 580) / 200, for the index and for the extinction.
-    Chebyshev {
-        eta: &'static [f64],
-        k: &'static [f64],
-    },
+    /// Fits in u = (lambda_nm - 580) / 200, for the index and for the extinction.
+    Fitted { eta: Polynomial, k: Polynomial },
     /// eta = 1.
     Vacuum,
     /// eta = 1 + sum b / (c - 1 / lambda^2): a gas.
@@ -63,7 +60,8 @@ impl NamedMedium {
         eta: &'static [f64],
         k: &'static [f64],
     ) -> Self {
-        Self::new(name, aliases, source, Formula::Chebyshev { eta, k })
+        let (eta, k) = (Polynomial::of_chebyshev(eta), Polynomial::of_chebyshev(k));
+        Self::new(name, aliases, source, Formula::Fitted { eta, k })
     }
 
     /// The medium of that name or alias; upper and lower case are alike.
@@ -81,7 +79,7 @@ impl NamedMedium {
 
     /// Whether it absorbs at some wavelength in 380-780 nm.
     pub fn absorbs(&self) -> bool {
-        matches!(self.formula, Formula::Chebyshev { k, .. } if !k.is_empty())
+        matches!(self.formula, Formula::Fitted { k, .. } if k.terms > 0)
     }
 
     /// The range of wavelengths of its data, nm. Outside, the index is constant.
@@ -97,27 +95,37 @@ impl NamedMedium {
     /// The complex index at a vacuum wavelength, nm, or at one in each lane; constant outside 380-780 nm.
     #[inline(always)]
     pub fn index<T: Real>(&self, wavelength_nm: T) -> Complex<T> {
-        let [least, greatest] = RANGE_NM.map(T::new);
-        let nm = wavelength_nm.max(least).min(greatest);
+        let [least, greatest] = RANGE_NM;
+        let nm = wavelength_nm.max(T::new(least)).min(T::new(greatest));
         let one = T::new(1.0);
         let um_squared = (nm * T::new(1e-3)).squared();
         let eta = match self.formula {
-            Formula::Chebyshev { eta, k } => {
-                let u = (nm - T::new(580.0)) / T::new(200.0);
+            Formula::Fitted { ref eta, ref k } => {
+                let u = (nm - T::new(580.0)) * T::new(1.0 / 200.0);
                 // The fit of k may be below 0 where the source has 0.
-                return Complex::new(chebyshev(eta, u), chebyshev(k, u).max(T::new(0.0)));
+                return Complex::new(eta.at(u), k.at(u).max(T::new(0.0)));
             }
             Formula::Vacuum => one,
             Formula::Gas { terms } => {
                 let inverse = one / um_squared;
-                one + sum(terms, |[b, c]| b / (c - inverse))
+                one + sum(
+                    terms,
+                    #[inline(always)]
+                    |b, c| b / (c - inverse),
+                )
             }
             Formula::Sellmeier { terms } => {
-                (one + sum(terms, |[b, c]| b * um_squared / (um_squared - c))).sqrt()
+                let sum = sum(
+                    terms,
+                    #[inline(always)]
+                    |b, c| b * um_squared / (um_squared - c),
+                );
+                (one + sum).sqrt()
             }
             Formula::CauchyNm { coefficients } => {
-                let [a, b, c] = coefficients.map(T::new);
-                a + (b + c / nm.squared()) / nm.squared()
+                let [a, b, c] = coefficients;
+                let square = nm.squared();
+                T::new(a) + (T::new(b) + T::new(c) / square) / square
             }
         };
         Complex::real(eta)
@@ -126,26 +134,59 @@ impl NamedMedium {
 
 /// The sum of a formula's terms.
 #[inline(always)]
-fn sum<T: Real>(terms: &[[f64; 2]], term: impl Fn([T; 2]) -> T) -> T {
+fn sum<T: Real>(terms: &[[f64; 2]], term: impl Fn(T, T) -> T) -> T {
     let mut sum = T::new(0.0);
-    for constants in terms {
-        sum = sum + term(constants.map(T::new));
+    for [b, c] in terms {
+        sum = sum + term(T::new(*b), T::new(*c));
     }
     sum
 }
 
-/// sum c_j T_j(u) by Clenshaw's recurrence (Clenshaw 1955).
-#[inline(always)]
-fn chebyshev<T: Real>(coefficients: &[f64], u: T) -> T {
-    let Some((first, others)) = coefficients.split_first() else {
-        return T::new(0.0);
-    };
-    let twice = u + u;
-    let (mut b1, mut b2) = (T::new(0.0), T::new(0.0));
-    for c in others.iter().rev() {
-        (b1, b2) = (T::new(*c) + twice * b1 - b2, b1);
+/// The greatest number of terms of a fit.
+const MOST_TERMS: usize = 13;
+
+/// sum a_j u^j for u within [-1, 1].
+#[derive(Clone, Copy, Debug)]
+struct Polynomial {
+    coefficients: [f64; MOST_TERMS],
+    terms: usize,
+}
+
+impl Polynomial {
+    /// sum c_j T_j(u) in powers of u, by T_(j+1) = 2 u T_j - T_(j-1). It takes half the time of Clenshaw's
+    /// recurrence, and loses three of sixteen digits.
+    const fn of_chebyshev(series: &[f64]) -> Self {
+        let mut coefficients = [0.0; MOST_TERMS];
+        let (mut current, mut next) = ([0.0; MOST_TERMS], [0.0; MOST_TERMS]);
+        current[0] = 1.0;
+        next[1] = 1.0;
+        let mut j = 0;
+        while j < series.len() {
+            let mut after = [0.0; MOST_TERMS];
+            let mut power = 0;
+            while power < MOST_TERMS {
+                coefficients[power] += series[j] * current[power];
+                let shifted = if power > 0 { next[power - 1] } else { 0.0 };
+                after[power] = 2.0 * shifted - current[power];
+                power += 1;
+            }
+            (current, next) = (next, after);
+            j += 1;
+        }
+        Self {
+            coefficients,
+            terms: series.len(),
+        }
     }
-    T::new(*first) + u * b1 - b2
+
+    #[inline(always)]
+    fn at<T: Real>(&self, u: T) -> T {
+        let mut sum = T::new(0.0);
+        for a in self.coefficients[..self.terms].iter().rev() {
+            sum = sum * u + T::new(*a);
+        }
+        sum
+    }
 }
 
 #[rustfmt::skip] // one series per line
