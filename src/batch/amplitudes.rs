@@ -76,6 +76,7 @@ pub unsafe fn film_amplitudes(film: &Film, args: &AmplitudeArgs) -> Result<(), E
                     wavelength_nm: read_number(&args.lambda_nm, i, c),
                 }
             },
+            |x| x as f32,
             #[inline(always)]
             |_, found| {
                 let (i, c) = written.next();
@@ -100,16 +101,16 @@ unsafe fn read_number(view: &ConstView, i: usize, c: usize) -> f64 {
 
 /// Writes the amplitude of element i at wavelength c.
 #[inline(always)]
-unsafe fn write(view: &View, i: usize, c: usize, value: Complex<f64>) {
+unsafe fn write(view: &View, i: usize, c: usize, value: Complex<f32>) {
     if view.data.is_null() {
         return;
     }
-    let [re, im] = value.to_f32();
     // SAFETY: the caller vouches for the address.
     unsafe {
         let part = view.address(i, 2 * c);
-        part.write_unaligned(re);
-        part.byte_offset(view.component_stride).write_unaligned(im);
+        part.write_unaligned(value.re);
+        part.byte_offset(view.component_stride)
+            .write_unaligned(value.im);
     }
 }
 

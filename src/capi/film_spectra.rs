@@ -8,7 +8,6 @@ use super::film_types::PellicleAmplitudes;
 use super::types::{PellicleFilm, PellicleStatus};
 use crate::error::Error;
 use crate::film::Ray;
-use crate::optics::stack::{P, S};
 
 /// Reflectance and transmittance of unpolarised light from either side at single wavelengths, by full wave
 /// optics, for spectral renderers. Needs no PellicleFilmDesc::transmittance, and allocates nothing.
@@ -120,13 +119,14 @@ pub unsafe extern "C" fn pellicle_film_amplitudes(
                     side,
                     count,
                     ray,
-                    #[inline(always)]
+                    |x| x as f32,
                     |i, found| {
+                        let ([r_s, r_p], [t_s, t_p]) = (found.reflection, found.transmission);
                         let value = PellicleAmplitudes {
-                            r_s: found.reflection[S].to_f32(),
-                            r_p: found.reflection[P].to_f32(),
-                            t_s: found.transmission[S].to_f32(),
-                            t_p: found.transmission[P].to_f32(),
+                            r_s: [r_s.re, r_s.im],
+                            r_p: [r_p.re, r_p.im],
+                            t_s: [t_s.re, t_s.im],
+                            t_p: [t_p.re, t_p.im],
                         };
                         amplitudes.add(i).write_unaligned(value);
                     },

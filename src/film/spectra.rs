@@ -46,7 +46,13 @@ impl Film {
     ) -> Result<(), Error> {
         check(lambda_nm, found)?;
         let ray = rays(cos_theta, thickness_nm, lambda_nm);
-        self.each_amplitudes(side, lambda_nm.len(), ray, |i, value| found[i] = value);
+        self.each_amplitudes(
+            side,
+            lambda_nm.len(),
+            ray,
+            |x| x,
+            |i, value| found[i] = value,
+        );
         Ok(())
     }
 
@@ -69,17 +75,18 @@ impl Film {
         Ok(())
     }
 
-    /// The amplitudes of `count` rays. Rays are asked for, and amplitudes found, in order and once each.
+    /// The amplitudes of `count` rays, rounded. Rays are asked for, and amplitudes found, in order and once each.
     #[inline(always)]
-    pub(crate) fn each_amplitudes(
+    pub(crate) fn each_amplitudes<T: Real>(
         &self,
         side: Side,
         count: usize,
         ray: impl FnMut(usize) -> Ray,
-        mut found: impl FnMut(usize, Amplitudes<f64>),
+        round: impl Fn(f64) -> T + Copy,
+        mut found: impl FnMut(usize, Amplitudes<T>),
     ) {
-        let solve = |rays: &FourRays| self.four_amplitudes(side, rays);
-        each_four(count, ray, solve, |i, lane, solved: &FourAmplitudes| {
+        let solve = |rays: &FourRays| self.four_amplitudes(side, rays).map(|row| row.map(round));
+        each_four(count, ray, solve, |i, lane, solved| {
             let part = |at: usize| Complex::new(solved[at][lane], solved[at + 1][lane]);
             let value = Amplitudes {
                 reflection: [part(0), part(2)],
@@ -99,7 +106,7 @@ impl Film {
         mut found: impl FnMut(usize, Response<f64>),
     ) {
         let solve = |rays: &FourRays| self.four_responses(side, rays);
-        each_four(count, ray, solve, |i, lane, solved: &FourResponses| {
+        each_four(count, ray, solve, |i, lane, solved| {
             let value = Response {
                 reflectance: [solved[0][lane], solved[1][lane]],
                 transmittance: [solved[2][lane], solved[3][lane]],

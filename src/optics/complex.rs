@@ -82,14 +82,6 @@ impl<T: Real> Complex<T> {
     }
 }
 
-impl Complex<f64> {
-    /// The two parts in single precision.
-    #[inline(always)]
-    pub(crate) fn to_f32(self) -> [f32; 2] {
-        [self.re as f32, self.im as f32]
-    }
-}
-
 impl<T: Real> Add for Complex<T> {
     type Output = Self;
     #[inline(always)]

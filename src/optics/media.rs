@@ -142,8 +142,8 @@ fn sum<T: Real>(terms: &[[f64; 2]], term: impl Fn(T, T) -> T) -> T {
     sum
 }
 
-/// The greatest number of terms of a fit.
-const MOST_TERMS: usize = 13;
+/// The greatest number of terms of a fit, even.
+const MOST_TERMS: usize = 14;
 
 /// sum a_j u^j for u within [-1, 1].
 #[derive(Clone, Copy, Debug)]
@@ -179,13 +179,16 @@ impl Polynomial {
         }
     }
 
+    /// Even and odd powers are summed side by side.
     #[inline(always)]
     fn at<T: Real>(&self, u: T) -> T {
-        let mut sum = T::new(0.0);
-        for a in self.coefficients[..self.terms].iter().rev() {
-            sum = sum * u + T::new(*a);
+        let square = u.squared();
+        let (mut even, mut odd) = (T::new(0.0), T::new(0.0));
+        for pair in (0..self.terms.div_ceil(2)).rev() {
+            even = even * square + T::new(self.coefficients[2 * pair]);
+            odd = odd * square + T::new(self.coefficients[2 * pair + 1]);
         }
-        sum
+        even + odd * u
     }
 }
 

@@ -51,8 +51,19 @@ impl<T: Real> Incidence<T> {
         let difference = (index - near) * (index + near);
         let q_squared = difference + Complex::real(self.normal.squared());
         let is_near = index.equals(near);
+        let (re, zero) = (q_squared.re, T::new(0.0));
+        // Without absorption the root is real or imaginary: the same number in a third of the time.
+        let root = if (!q_squared.im.equals(zero)).any() {
+            q_squared.sqrt_upper()
+        } else {
+            let (root, is_beyond) = (re.abs().sqrt(), re.lt(zero));
+            Complex::new(
+                T::select(is_beyond, zero, root),
+                T::select(is_beyond, root, zero),
+            )
+        };
         // The root of a square may be off by an ulp, and the square may underflow.
-        let q = Complex::select(is_near, Complex::real(self.normal), q_squared.sqrt_upper());
+        let q = Complex::select(is_near, Complex::real(self.normal), root);
         let ratio = q * (index * index).inverse();
         let near_ratio = Complex::real(self.normal_over_permittivity);
         Wave {
