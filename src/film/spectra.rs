@@ -246,12 +246,13 @@ pub(crate) fn check_wavelength(nm: f64, name: impl FnOnce() -> String) -> Result
     if nm > 0.0 && nm < f64::INFINITY {
         return Ok(());
     }
-    Err(wrong_wavelength(nm, &name()))
+    Err(wrong_wavelength(nm, name))
 }
 
 #[cold]
-fn wrong_wavelength(nm: f64, name: &str) -> Error {
-    Error::out_of_range(format!("{name} = {nm} is not finite and above 0"))
+#[inline(never)]
+fn wrong_wavelength(nm: f64, name: impl FnOnce() -> String) -> Error {
+    Error::out_of_range(format!("{} = {nm} is not finite and above 0", name()))
 }
 
 fn check<T>(lambda_nm: &[f64], found: &[T]) -> Result<(), Error> {

@@ -193,7 +193,7 @@ impl Polynomial {
 }
 
 #[rustfmt::skip] // one series per line
-static MEDIA: [NamedMedium; 23] = [
+static MEDIA: [NamedMedium; 31] = [
     NamedMedium::new("vacuum", &[], "by definition",
         Formula::Vacuum),
     NamedMedium::new("air", &[], "Ciddor 1996, eq. 1: dry, 15 C, 101325 Pa, 450 ppm CO2",
@@ -276,4 +276,30 @@ static MEDIA: [NamedMedium; 23] = [
         Formula::Sellmeier { terms: &[[1.1819, 0.011313]] }),
     NamedMedium::new("oil", &["immersion oil"], "Cargille Laboratories, data sheet of Immersion Oil Type B, 23 C (within ISO 8036)",
         Formula::CauchyNm { coefficients: [1.498304, 5.456721e3, 1.203987e8] }),
+    // Greatest error of the fit: 7.29e-05. The source's k is 0 here.
+    NamedMedium::fitted("a-TiO2", &["amorphous TiO2", "amorphous titania"], "Jolivet 2023 (amorphous film by atomic layer deposition, 200 C)",
+        &[2.483931, -0.1529955, 0.05895452, -0.02227594, 0.008577043, -0.003407847, 0.001396208, -0.0005932205, 0.0002550851, -0.0001143085, 4.760429e-05, -2.263543e-05],
+        &[]),
+    // Greatest error of the fit: 9.18e-06 (eta), 7e-06 (k).
+    NamedMedium::fitted("Ta2O5", &["tantalum pentoxide", "tantala"], "Gao, Lemarchand and Lequime 2012 (evaporated film, ion-assisted)",
+        &[2.168603, -0.07132742, 0.02193388, -0.006218427, 0.001705242, -0.0004618735, 0.0001243321, -3.149241e-05, 8.575464e-06],
+        &[0.0001025146, -0.0001729909, 0.0001022729, -3.845379e-05, 7.766114e-06]),
+    // Greatest error of the fit: 0.000126 (eta), 3.02e-05 (k).
+    NamedMedium::fitted("Nb2O5", &["niobium pentoxide", "niobia"], "Lemarchand 2013 (sputtered film; method of Gao, Lemarchand and Lequime 2012)",
+        &[2.387987, -0.1403504, 0.04919133, -0.01677852, 0.005855595, -0.002129293, 0.0008147612, -0.0003233645, 0.0001356033, -5.36476e-05, 2.388797e-05],
+        &[0.0004026562, -0.0007646892, 0.000661236, -0.0005203821, 0.0003798521, -0.0002556217, 0.0001630283, -9.549209e-05, 5.48027e-05, -2.639213e-05, 1.383686e-05]),
+    NamedMedium::new("Si3N4", &["silicon nitride"], "Luke 2015 (stoichiometric film by chemical vapour deposition)",
+        Formula::Sellmeier { terms: &[[3.0249, 0.1353406 * 0.1353406], [40314.0, 1239.842 * 1239.842]] }),
+    // Greatest error of the fit: 2.87e-05 (eta), 3.6e-05 (k).
+    NamedMedium::fitted("ZnS", &["zinc sulfide"], "Amotchkina 2020 (evaporated film; extrapolated below 400 nm)",
+        &[2.417175, -0.1356281, 0.05320378, -0.02104363, 0.008640393, -0.003673246, 0.001601551, -0.0007075935, 0.0003162098, -0.0001401153, 6.313648e-05, -2.590326e-05, 1.17111e-05],
+        &[0.0008353062, -0.0009081424, 0.0002518509, -2.196806e-05, -2.776983e-05, 2.836954e-05, -2.405448e-05, 1.485708e-05, -1.055309e-05]),
+    // Greatest error of the fit: 7.12e-05 (eta), 1.5e-05 (k).
+    NamedMedium::fitted("ITO", &["indium tin oxide"], "König 2014 (72 nm film on glass, 15-25 ohm per square)",
+        &[1.838435, -0.2143319, 0.005883582, -0.007485897, 0.001996266, -0.0006308424, 0.0001818391, -5.827569e-05],
+        &[0.005968719, -0.00318817, 0.003320968, -0.001242321, 0.0005103469, -0.0001789759, 5.597808e-05, -1.686151e-05]),
+    NamedMedium::new("polystyrene", &["PS"], "Sultanova, Kasarova and Nikolov 2009, 20 C (one Sellmeier term fitted by Polyanskiy; extrapolated below 437 nm)",
+        Formula::Sellmeier { terms: &[[1.4435, 0.020216]] }),
+    NamedMedium::new("SF11", &["dense flint"], "Schott 2017, catalogue, SF11 (extrapolated below 390 nm; its k, at most 6e-6, is left out)",
+        Formula::Sellmeier { terms: &[[1.73848403, 0.0136068604], [0.311168974, 0.0615960463], [1.17490871, 121.922711]] }),
 ];
