@@ -166,13 +166,14 @@ TEST_CASE("film amplitudes: sides that do not exist and outputs over the wavelen
         args.side = side;
         CHECK_REFUSED(pellicle_film_amplitudes_batch(film, &args, sizeof args), PELLICLE_OUT_OF_RANGE, "side");
     }
-    std::vector<float> numbers(64, 500.0f);
     for (const std::size_t at : {0, 1, 31, 35}) {
+        std::vector<float> numbers(64, 500.0f);
         const float *lambda_nm = numbers.data() + at;
         auto *output = reinterpret_cast<PellicleAmplitudes *>(numbers.data() + 4);
         const PellicleStatus status = pellicle_film_amplitudes(film, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, lambda_nm, 4, output);
         CHECK_EQ(status, at == 0 ? PELLICLE_OK : PELLICLE_INVALID_ARGUMENT);
     }
+    std::vector<float> numbers(8, 500.0f);
     for (const int shift : {0, 1, 3}) {
         CHECK_REFUSED(pellicle_film_spectrum_eval(film, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, numbers.data(), 4,
                                                   numbers.data() + shift, nullptr),

@@ -44,21 +44,22 @@ pub unsafe fn film_amplitudes(film: &Film, args: &AmplitudeArgs) -> Result<(), E
             "r_s, r_p, t_s and t_p are all NULL: nothing to compute",
         ));
     }
-    let pairs = count.checked_mul(lambda_count);
-    let (Some(pairs), Some(components)) = (pairs, lambda_count.checked_mul(2)) else {
-        return Err(Error::invalid(format!(
-            "count = {count} with lambda_count = {lambda_count} overflows the address space"
-        )));
-    };
-    if pairs == 0 {
+    if count == 0 || lambda_count == 0 {
         return Ok(());
     }
+    let too_many = || {
+        Error::invalid(format!(
+            "count = {count} with lambda_count = {lambda_count} overflows the address space"
+        ))
+    };
+    let components = lambda_count.checked_mul(2).ok_or_else(too_many)?;
     args.lambda_nm.check("lambda_nm", lambda_count, count)?;
     args.cos_theta.check("cos_theta", 1, count)?;
     let thickness_nm = thickness(film, args.thickness_nm, count)?;
     for (view, name) in args.outputs.iter().zip(NAMES) {
         view.check(name, components, count)?;
     }
+    let pairs = count.checked_mul(lambda_count).ok_or_else(too_many)?;
     // SAFETY: the caller vouches for every address of every view.
     unsafe {
         check_wavelengths(args)?;
