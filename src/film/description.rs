@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::optics::stack::Side;
-use crate::optics::{ColorSpace, Medium, White};
+use crate::optics::{ColorSpace, Medium, VISIBLE_NM, White};
 
 /// The tolerance where none is stated.
 pub const DEFAULT_TOLERANCE: f64 = 2e-3;
@@ -93,9 +93,20 @@ impl FilmDescription {
         }
     }
 
-    /// Whether a half-space disperses. Then every wavelength has its own critical angle.
+    /// Whether the relative index of the half-spaces depends on the wavelength. Then every wavelength has its own
+    /// critical angle.
     pub(super) fn disperses(&self) -> bool {
-        self.ambient.constant().is_none() || self.base.constant().is_none()
+        if self.ambient.constant().is_some() && self.base.constant().is_some() {
+            return false;
+        }
+        let [least, greatest] = VISIBLE_NM;
+        let steps = (greatest - least) / 5.0;
+        let ratio = |nm: f64| self.base.index(nm).re / self.ambient.index(nm).re;
+        let first = ratio(least);
+        (1..=steps as u32).any(|i| {
+            let ratio = ratio(least + 5.0 * f64::from(i));
+            (ratio / first - 1.0).abs() > 1e-9
+        })
     }
 
     /// One thickness per layer, nm; the varying one is clamped to its range.

@@ -156,8 +156,6 @@ impl Film {
     fn unclipped_colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
         let (c, d) = (f64::from(cos_theta), f64::from(thickness_nm));
         match &self.evaluator {
-            // Every wavelength has its own critical angle beside a half-space that disperses.
-            _ if side == Side::Base && self.description.disperses() => self.converged(side, c, d),
             Evaluator::Tables(tables) => tables.colors(side, cos_theta, thickness_nm),
             Evaluator::Series(series) => series.at(side, c, d).to_f32(),
             Evaluator::Method(_) | Evaluator::Reference => self.converged(side, c, d),

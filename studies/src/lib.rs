@@ -6,6 +6,7 @@ pub mod chart;
 pub mod error_maps;
 pub mod f32_vs_f64;
 pub mod ffi_fuzz;
+pub mod film_cliffs;
 pub mod film_tolerance;
 pub mod random_bounds;
 pub mod shared;

@@ -2,7 +2,9 @@
 //! tables are filled with and methods are measured by.
 
 mod angle;
+mod branch;
 pub(super) mod series;
+mod spectrum;
 mod terms;
 
 #[cfg(test)]

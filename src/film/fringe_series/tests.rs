@@ -160,3 +160,53 @@ fn a_layer_without_fringes_is_summed_whole() {
         before = next;
     }
 }
+
+#[test]
+fn tmp_branches() {
+    for (name, description) in [
+        ("BK7", FilmDescription::new(named("BK7"))),
+        (
+            "MgF2/BK7",
+            FilmDescription::new(named("BK7")).layer(named("MgF2"), [0.0, 3e3]),
+        ),
+        (
+            "Ag/BK7",
+            FilmDescription::new(named("BK7")).layer(named("Ag"), [0.0, 3e3]),
+        ),
+        (
+            "TiO2/BK7",
+            FilmDescription::new(named("BK7")).layer(named("TiO2"), [0.0, 3e4]),
+        ),
+    ] {
+        let layers = description.layers.iter().map(|layer| layer.medium.clone());
+        let (ambient, base) = (description.ambient.clone(), description.base.clone());
+        let (white, space) = (description.white, description.color_space);
+        let reference = Reference::new(ambient, layers.collect(), base, white, space).unwrap();
+        for count in [48, 72, 96, 144, 216, 400] {
+            let series = FringeSeries::new(&description, count).unwrap();
+            let mut worst = (0.0, 0.0, 0.0);
+            let mut outside = (0.0, 0.0, 0.0);
+            for i in 0..60 {
+                let c = 0.745 + 0.017 * f64::from(i) / 60.0;
+                for d in [20.0, 300.0, 1500.0, 3000.0, 30000.0] {
+                    let found = series.at(Side::Base, c, d);
+                    let truth = Colors::from(reference.evaluate(
+                        Side::Base,
+                        c,
+                        &vec![d; description.layers.len()],
+                    ));
+                    let e = difference(found, truth);
+                    let w = if (0.7497..0.7582).contains(&c) {
+                        &mut worst
+                    } else {
+                        &mut outside
+                    };
+                    if e > w.0 {
+                        *w = (e, c, d);
+                    }
+                }
+            }
+            println!("{name} {count}: {worst:?} outside {outside:?}");
+        }
+    }
+}

@@ -2,7 +2,11 @@
 
 mod axes;
 mod axis_choice;
+mod constant_sides;
+mod critical;
+mod dispersing_sides;
 pub(super) mod errors;
+mod film_table;
 pub(super) mod fit;
 pub(super) mod spline;
 pub(super) mod task;

@@ -3,12 +3,13 @@
 
 use lexopt::prelude::*;
 use pellicle_studies::shared::progress::Progress;
-use pellicle_studies::{f32_vs_f64, film_tolerance, random_bounds};
+use pellicle_studies::{f32_vs_f64, film_cliffs, film_tolerance, random_bounds};
 use std::process::ExitCode;
 
 const USAGE: &str = "\
 usage: check f32_vs_f64     [--evaluations N, 1e8] [--seed N]
        check random_bounds  [--evaluations N, 1e9] [--seed N]
+       check film_cliffs    [--tolerance X, 2e-3]
        check film_tolerance [--stacks N, 1000] [--points N of each, 10000] [--seed N]
                             [--stack I: only that one] [--tolerance X: only that one]";
 
@@ -41,6 +42,13 @@ fn main() -> ExitCode {
             });
             random_bounds::report::print(&tally);
             tally.failures
+        }
+        "film_cliffs" => {
+            let tolerance = arguments.tolerance.unwrap_or(2e-3);
+            for suite in film_cliffs::suites::suites() {
+                film_cliffs::report::print(suite.name, &film_cliffs::run(&suite, tolerance));
+            }
+            Vec::new()
         }
         _ => film_tolerance(arguments),
     };
@@ -84,7 +92,12 @@ struct Arguments {
     tolerance: Option<f64>,
 }
 
-const CHECKS: [&str; 3] = ["f32_vs_f64", "random_bounds", "film_tolerance"];
+const CHECKS: [&str; 4] = [
+    "f32_vs_f64",
+    "random_bounds",
+    "film_cliffs",
+    "film_tolerance",
+];
 
 impl Arguments {
     fn parse() -> Result<Self, lexopt::Error> {
@@ -98,7 +111,7 @@ impl Arguments {
             tolerance: None,
         };
         while let Some(argument) = parser.next()? {
-            let is_films = arguments.check == "film_tolerance";
+            let is_films = ["film_tolerance", "film_cliffs"].contains(&arguments.check.as_str());
             match argument {
                 Value(name) if arguments.check.is_empty() => {
                     let name = name.string()?;

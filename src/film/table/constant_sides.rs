@@ -1,0 +1,233 @@
+//! The tables of a film between half-spaces whose relative index is the same at all wavelengths.
+
+use super::critical::centres;
+use super::errors::Errors;
+use super::film_table::{FilmTable, MIDDLE_NM, Over};
+use super::spline::SplineTable;
+use super::task::{ColorSource, FitLimits};
+use super::two_sided::SeriesSampler;
+use crate::error::Error;
+use crate::film::colors::Colors;
+use crate::film::description::FilmDescription;
+use crate::film::fringe_series::series::FringeSeries;
+use crate::num::Rgb;
+use crate::optics::stack::Side;
+
+/// Reflectance and transmittance from both sides.
+///
+/// All tables are over the cosine in the rarer half-space, in which the colours are smooth; the
+/// transmittance is the same from both sides. Beyond the critical angle, which only the denser side
+/// has, nothing is transmitted, and the reflectance has a table of its own over kappa / (kappa + cos),
+/// kappa the decay in the rarer half-space, both in units of their greatest value.
+#[derive(Clone, Debug)]
+pub(in crate::film) struct ConstantSides {
+    /// The reflectance from the ambient's side.
+    front: FilmTable,
+    /// The square of the ratio of the denser index and the rarer one.
+    ratio: f64,
+    rarer: Side,
+    /// The transmittance; `None`: 1 - reflectance, as nothing absorbs.
+    through: Option<Box<FilmTable>>,
+    /// The reflectance from the base's side; `None`: as `front`.
+    back: Option<Box<FilmTable>>,
+    /// The reflectance beyond the critical angle; `None`: 1.
+    beyond: Option<Box<FilmTable>>,
+}
+
+/// The zone of a direction.
+enum Zone {
+    /// Below the critical angle, at this cosine in the rarer half-space.
+    Below(f64),
+    /// Beyond the critical angle, at this kappa / (kappa + cos).
+    Beyond(f64),
+}
+
+impl ConstantSides {
+    /// Fits the tables to a series; `None` if the limits cannot be met.
+    pub(super) fn fit(
+        description: &FilmDescription,
+        series: &FringeSeries,
+        limits: FitLimits,
+    ) -> Result<Option<(Self, Errors)>, Error> {
+        let is_opaque = description.base.absorbs();
+        let [ambient, base] =
+            [&description.ambient, &description.base].map(|medium| medium.index(MIDDLE_NM).re);
+        let rarer = if is_opaque || ambient <= base {
+            Side::Ambient
+        } else {
+            Side::Base
+        };
+        let denser = match rarer {
+            Side::Ambient => Side::Base,
+            Side::Base => Side::Ambient,
+        };
+        let ratio = if is_opaque {
+            1.0
+        } else {
+            (ambient.max(base) / ambient.min(base)).powi(2)
+        };
+        let (rare_medium, rare_index) = match rarer {
+            Side::Ambient => (&description.ambient, ambient),
+            Side::Base => (&description.base, base),
+        };
+        let mut sampler = SeriesSampler::new(series);
+        let mut errors = Errors::default();
+        let below = || Over::Cosine(rare_index, centres(description, rare_medium, None));
+        let mut fitted = |source: &mut ColorSource<'_>, over: Over| {
+            let fitted = FilmTable::fit(description, source, over, limits)?;
+            if let Some((_, found)) = &fitted {
+                errors.merge(found);
+            }
+            Ok::<_, Error>(fitted.map(|(table, _)| table))
+        };
+        // The cosine on a side for a cosine in the rarer half-space.
+        let cosine = |side: Side, c: f64| {
+            if side == rarer {
+                c
+            } else {
+                ((ratio - 1.0) + c * c).sqrt() / ratio.sqrt()
+            }
+        };
+        let absorbs = description
+            .layers
+            .iter()
+            .any(|layer| layer.medium.absorbs());
+        let is_lossless = !absorbs && !is_opaque;
+
+        let mut reflectance = |side: Side| {
+            fitted(
+                &mut |c, d| sampler.at(side, cosine(side, c), d).reflectance,
+                below(),
+            )
+        };
+        let Some(front) = reflectance(Side::Ambient)? else {
+            return Ok(None);
+        };
+        let (mut back, mut through, mut beyond) = (None, None, None);
+        if description.transmittance && absorbs {
+            if !is_opaque {
+                back = reflectance(Side::Base)?;
+                if back.is_none() {
+                    return Ok(None);
+                }
+            }
+            through = fitted(
+                &mut |c, d| {
+                    sampler
+                        .at(Side::Ambient, cosine(Side::Ambient, c), d)
+                        .transmittance
+                },
+                below(),
+            )?;
+            if through.is_none() {
+                return Ok(None);
+            }
+        }
+        let is_seen = denser == Side::Ambient || description.transmittance;
+        if !is_lossless && !is_opaque && ratio > 1.0 && is_seen {
+            let critical = (1.0 - 1.0 / ratio).sqrt();
+            beyond = fitted(
+                &mut |t, d| {
+                    let part = (1.0 - t) / (t * t + (1.0 - t) * (1.0 - t)).sqrt();
+                    sampler.at(denser, critical * part, d).reflectance
+                },
+                Over::Plain,
+            )?;
+            if beyond.is_none() {
+                return Ok(None);
+            }
+        }
+        let [through, back, beyond] = [through, back, beyond].map(|table| table.map(Box::new));
+        let tables = Self {
+            front,
+            ratio,
+            rarer,
+            through,
+            back,
+            beyond,
+        };
+        Ok(Some((tables, errors)))
+    }
+
+    /// The table of the reflectance from the ambient's side, if it is over the cosine there.
+    #[inline(always)]
+    pub(super) fn over_ambient_cosine(&self) -> Option<&SplineTable> {
+        if self.rarer == Side::Ambient {
+            self.front.over_cosine()
+        } else {
+            None
+        }
+    }
+
+    fn others(&self) -> impl Iterator<Item = &FilmTable> {
+        let others = [&self.through, &self.back, &self.beyond];
+        others.into_iter().flatten().map(Box::as_ref)
+    }
+
+    /// Bytes of all tables.
+    pub(super) fn bytes(&self) -> usize {
+        self.front.bytes() + self.others().map(FilmTable::bytes).sum::<usize>()
+    }
+
+    /// The number of values and where they are, in words.
+    pub(super) fn size(&self) -> String {
+        match self.others().count() {
+            0 => self.front.size(),
+            count => format!("{} and {count} more", self.front.size()),
+        }
+    }
+
+    #[inline(always)]
+    fn zone(&self, side: Side, cos_theta: f32) -> Zone {
+        let c = f64::from(cos_theta);
+        if side == self.rarer {
+            return Zone::Below(c);
+        }
+        // In this order of operations a small cosine keeps its digits between media of similar index.
+        let rare_squared = (1.0 - self.ratio) + self.ratio * c * c;
+        if rare_squared >= 0.0 {
+            return Zone::Below(rare_squared.sqrt());
+        }
+        let kappa = (-rare_squared / (self.ratio - 1.0)).sqrt();
+        let part = c / (1.0 - 1.0 / self.ratio).sqrt();
+        Zone::Beyond(kappa / (kappa + part))
+    }
+
+    /// Reflectance from the ambient's side, not clipped.
+    pub(super) fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        match self.zone(Side::Ambient, cos_theta) {
+            Zone::Below(c) => self.front.at(c, thickness_nm),
+            Zone::Beyond(t) => self.reflectance_beyond(t, thickness_nm),
+        }
+    }
+
+    /// Reflectance and transmittance from either side, not clipped; of a film fitted with transmittance.
+    pub(super) fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        let c = match self.zone(side, cos_theta) {
+            Zone::Below(c) => c,
+            Zone::Beyond(t) => {
+                return Colors {
+                    reflectance: self.reflectance_beyond(t, thickness_nm),
+                    transmittance: [0.0; 3],
+                };
+            }
+        };
+        let reflectance = match (&self.back, side) {
+            (Some(table), Side::Base) => table.at(c, thickness_nm),
+            _ => self.front.at(c, thickness_nm),
+        };
+        let transmittance = match &self.through {
+            Some(table) => table.at(c, thickness_nm),
+            None => reflectance.map(|r| 1.0 - r),
+        };
+        Colors {
+            reflectance,
+            transmittance,
+        }
+    }
+
+    fn reflectance_beyond(&self, t: f64, thickness_nm: f32) -> Rgb<f32> {
+        let table = self.beyond.as_ref();
+        table.map_or([1.0; 3], |table| table.at(t, thickness_nm))
+    }
+}

@@ -1,0 +1,145 @@
+//! The tables of a film between half-spaces of which one disperses, so that every wavelength has its own critical angle.
+
+use super::critical::{centres, near_and_far};
+use super::errors::Errors;
+use super::film_table::{FilmTable, MIDDLE_NM, Over};
+use super::spline::SplineTable;
+use super::task::{ColorSource, FitLimits};
+use super::two_sided::SeriesSampler;
+use crate::error::Error;
+use crate::film::colors::Colors;
+use crate::film::description::FilmDescription;
+use crate::film::fringe_series::series::FringeSeries;
+use crate::num::Rgb;
+use crate::optics::stack::Side;
+
+/// One or two tables for each side that light is asked for from, over the cosine there: the critical angles are smeared
+/// out over the spectrum, and a coordinate spreads their interval.
+#[derive(Clone, Debug)]
+pub(in crate::film) struct DispersingSides {
+    front: OneSide,
+    /// `None` if no light is asked for from the base.
+    back: Option<OneSide>,
+}
+
+/// The tables of one side.
+#[derive(Clone, Debug)]
+struct OneSide {
+    reflectance: FilmTable,
+    /// `None`: 1 - reflectance, as nothing absorbs.
+    transmittance: Option<FilmTable>,
+}
+
+impl DispersingSides {
+    /// Fits the tables to a series; `None` if the limits cannot be met.
+    pub(super) fn fit(
+        description: &FilmDescription,
+        series: &FringeSeries,
+        limits: FitLimits,
+    ) -> Result<Option<(Self, Errors)>, Error> {
+        let mut errors = Errors::default();
+        let mut side = |side| OneSide::fit(description, series, side, limits, &mut errors);
+        let Some(front) = side(Side::Ambient)? else {
+            return Ok(None);
+        };
+        let back = if description.sides().contains(&Side::Base) {
+            let back = side(Side::Base)?;
+            if back.is_none() {
+                return Ok(None);
+            }
+            back
+        } else {
+            None
+        };
+        Ok(Some((Self { front, back }, errors)))
+    }
+
+    #[inline(always)]
+    pub(super) fn over_ambient_cosine(&self) -> Option<&SplineTable> {
+        self.front.reflectance.over_cosine()
+    }
+
+    fn tables(&self) -> impl Iterator<Item = &FilmTable> {
+        let sides = std::iter::once(&self.front).chain(&self.back);
+        sides.flat_map(|side| std::iter::once(&side.reflectance).chain(&side.transmittance))
+    }
+
+    pub(super) fn bytes(&self) -> usize {
+        self.tables().map(FilmTable::bytes).sum()
+    }
+
+    pub(super) fn size(&self) -> String {
+        let sizes: Vec<String> = self.tables().map(FilmTable::size).collect();
+        sizes.join("; ")
+    }
+
+    pub(super) fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+        self.front
+            .reflectance
+            .at(f64::from(cos_theta), thickness_nm)
+    }
+
+    pub(super) fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+        match (side, &self.back) {
+            (Side::Ambient, _) => self.front.colors(cos_theta, thickness_nm),
+            (Side::Base, Some(back)) => back.colors(cos_theta, thickness_nm),
+            (Side::Base, None) => Colors::default(),
+        }
+    }
+}
+
+impl OneSide {
+    fn fit(
+        description: &FilmDescription,
+        series: &FringeSeries,
+        side: Side,
+        limits: FitLimits,
+        errors: &mut Errors,
+    ) -> Result<Option<Self>, Error> {
+        let is_opaque = description.base.absorbs();
+        let [near, far] = near_and_far(description, side);
+        let mut sampler = SeriesSampler::new(series);
+        let mut fitted = |source: &mut ColorSource<'_>| {
+            let far = (!is_opaque).then_some(far);
+            let centres = centres(description, near, far);
+            let over = Over::Cosine(near.index(MIDDLE_NM).re, centres);
+            let fitted = FilmTable::fit(description, source, over, limits)?;
+            Ok::<_, Error>(fitted.map(|(table, found)| {
+                errors.merge(&found);
+                table
+            }))
+        };
+        let Some(reflectance) = fitted(&mut |c, d| sampler.at(side, c, d).reflectance)? else {
+            return Ok(None);
+        };
+        let absorbs = is_opaque
+            || description
+                .layers
+                .iter()
+                .any(|layer| layer.medium.absorbs());
+        let mut transmittance = None;
+        if description.transmittance && absorbs {
+            transmittance = fitted(&mut |c, d| sampler.at(side, c, d).transmittance)?;
+            if transmittance.is_none() {
+                return Ok(None);
+            }
+        }
+        Ok(Some(Self {
+            reflectance,
+            transmittance,
+        }))
+    }
+
+    fn colors(&self, cos_theta: f32, thickness_nm: f32) -> Colors {
+        let c = f64::from(cos_theta);
+        let reflectance = self.reflectance.at(c, thickness_nm);
+        let transmittance = match &self.transmittance {
+            Some(table) => table.at(c, thickness_nm),
+            None => reflectance.map(|r| 1.0 - r),
+        };
+        Colors {
+            reflectance,
+            transmittance,
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! The films that are timed.
+
+use crate::film_tolerance::draw;
+use pellicle::film::FilmDescription;
+use pellicle::optics::Medium;
+
+/// Films of one kind.
+pub struct Suite {
+    pub name: &'static str,
+    /// Name and description.
+    pub films: Vec<(String, FilmDescription)>,
+}
+
+const RANDOM: usize = 40;
+/// Real coatings: base, and layers with their thickness, nm; from the ambient's side, which is air.
+const COATINGS: [(&str, &[Coating]); 10] = [
+    ("BK7", &[("MgF2", [99.6; 2])]),
+    ("SiO2", &[("MgF2", [99.6; 2])]),
+    ("PMMA", &[("SiO2", [95.0; 2])]),
+    ("BK7", &[("MgF2", [99.6; 2]), ("Al2O3", [78.0; 2])]),
+    (
+        "BK7",
+        &[
+            ("MgF2", [92.0; 2]),
+            ("TiO2", [118.0; 2]),
+            ("Al2O3", [80.0; 2]),
+        ],
+    ),
+    (
+        "BK7",
+        &[
+            ("SiO2", [93.0; 2]),
+            ("TiO2", [112.0; 2]),
+            ("SiO2", [35.0; 2]),
+            ("TiO2", [12.0; 2]),
+        ],
+    ),
+    (
+        "BK7",
+        &[
+            ("TiO2", [57.0; 2]),
+            ("SiO2", [94.0; 2]),
+            ("TiO2", [57.0; 2]),
+            ("SiO2", [94.0; 2]),
+            ("TiO2", [57.0; 2]),
+        ],
+    ),
+    ("BK7", &[("SiO2", [0.0, 400.0])]),
+    ("SiO2", &[("TiO2", [0.0, 300.0])]),
+    ("BK7", &[("Ag", [0.0, 60.0])]),
+];
+
+type Coating = (&'static str, [f64; 2]);
+
+/// All suites.
+pub fn suites() -> Vec<Suite> {
+    vec![
+        Suite {
+            name: "random stacks, R only",
+            films: random(false),
+        },
+        Suite {
+            name: "random stacks with T, constant transparent base",
+            films: random(true),
+        },
+        Suite {
+            name: "real coatings on real glass, with T",
+            films: coatings(),
+        },
+        Suite {
+            name: "single films",
+            films: single(),
+        },
+    ]
+}
+
+fn random(both_sides: bool) -> Vec<(String, FilmDescription)> {
+    let stacks = (0..).map(|number| draw::stack(7, number));
+    let wanted = stacks.filter(|stack| {
+        let base = stack.base.medium();
+        !both_sides || base.constant().is_some_and(|index| index.im == 0.0)
+    });
+    let films = wanted.take(RANDOM).map(|mut stack| {
+        stack.both_sides = both_sides;
+        (stack.to_string(), stack.description(2e-3))
+    });
+    films.collect()
+}
+
+fn medium(name: &str) -> Medium {
+    Medium::named(name).expect("a named medium")
+}
+
+fn film(ambient: &str, layers: &[Coating], base: &str) -> (String, FilmDescription) {
+    let mut description = FilmDescription::new(medium(base));
+    description.ambient = medium(ambient);
+    description.transmittance = true;
+    for (name, thickness_nm) in layers {
+        description = description.layer(medium(name), *thickness_nm);
+    }
+    (format!("{ambient} / {layers:?} / {base}"), description)
+}
+
+fn coatings() -> Vec<(String, FilmDescription)> {
+    COATINGS
+        .iter()
+        .map(|(base, layers)| film("vacuum", layers, base))
+        .collect()
+}
+
+fn single() -> Vec<(String, FilmDescription)> {
+    vec![
+        film("vacuum", &[], "BK7"),
+        film("vacuum", &[("H2O", [100.0, 900.0])], "vacuum"),
+        film("air", &[("H2O", [100.0, 900.0])], "air"),
+        film("vacuum", &[("MgF2", [0.0, 140.0])], "BK7"),
+        film("vacuum", &[("MgF2", [0.0, 300.0])], "BK7"),
+        film("BK7", &[("MgF2", [0.0, 300.0])], "vacuum"),
+        film("BK7", &[("air", [0.0, 3000.0])], "BK7"),
+        film("H2O", &[("TiO2", [0.0, 300.0])], "BK7"),
+    ]
+}
