@@ -24,6 +24,7 @@ pub struct NamedMedium {
 
 /// A dispersion formula. Wavelengths are in micrometres unless the name says nm.
 #[derive(Debug)]
+#[allow(clippy::large_enum_variant)] // of one static table
 enum Formula {
     /// Fits in u = (lambda_nm - 580) / 200, for the index and for the extinction.
     Fitted { eta: Polynomial, k: Polynomial },
