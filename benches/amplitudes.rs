@@ -54,7 +54,7 @@ fn bench(criterion: &mut Criterion) {
             "constant, 9 layers",
             film(&repeated(&constant(1.33), 9), constant(1.5)),
         ),
-        ("MgF2 on BK7 in air", film(&[named("MgF2")], named("BK7"))),
+        ("MgF2 on BK7", film(&[named("MgF2")], named("BK7"))),
         ("TiO2 on titanium", film(&[named("TiO2")], named("Ti"))),
         ("Fe2O3 on gold", film(&[named("Fe2O3")], named("Au"))),
         (
