@@ -9,7 +9,7 @@ use std::{env, fs};
 
 /// The files that hold the C interface, in the order in which the header presents them. The functions of
 /// the table stand in the same order. Once PELLICLE_ABI_VERSION is not 0, the table only grows at its end.
-const INTERFACE: [&str; 11] = [
+const INTERFACE: [&str; 12] = [
     "types.rs",
     "film_types.rs",
     "bsdf_types.rs",
@@ -17,6 +17,7 @@ const INTERFACE: [&str; 11] = [
     "catalogue.rs",
     "film.rs",
     "film_calls.rs",
+    "film_spectra.rs",
     "bsdf.rs",
     "bsdf_calls.rs",
     "batch.rs",

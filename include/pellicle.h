@@ -372,6 +372,19 @@ typedef struct PellicleFilmPlan {
     const char *reason;
 } PellicleFilmPlan;
 
+// Complex ratios of the electric fields of reflected and transmitted light to that of the incident light:
+// real part, imaginary part. pellicle_film_amplitudes() states signs and phases. Frozen.
+typedef struct PellicleAmplitudes {
+    // Reflected, E parallel to the layers.
+    float r_s[2];
+    // Reflected, H parallel to the layers.
+    float r_p[2];
+    // Transmitted, E parallel to the layers.
+    float t_s[2];
+    // Transmitted, H parallel to the layers.
+    float t_p[2];
+} PellicleAmplitudes;
+
 // One parameter of a model, by name: either numbers (`values`, `count`) or a `choice`, never both. Frozen.
 typedef struct PellicleParam {
     // The parameter's name; pellicle_model_param() lists them.
@@ -596,6 +609,32 @@ typedef struct PellicleFilmBatchArgs {
     PellicleView reflectance;
 } PellicleFilmBatchArgs;
 
+// Arguments of pellicle_film_amplitudes_batch(). Zero-initialise them. They grow by appending; pass
+// sizeof(PellicleAmplitudesBatchArgs).
+typedef struct PellicleAmplitudesBatchArgs {
+    // Number of elements; 0 is allowed and does nothing.
+    size_t count;
+    // Number of wavelengths of each element; 0 is allowed and does nothing.
+    size_t lambda_count;
+    // Vacuum wavelengths, nm, `lambda_count` components; element_stride 0 gives all elements the same.
+    PellicleConstView lambda_nm;
+    // Cosines of incidence, 1 component.
+    PellicleConstView cos_theta;
+    // Thicknesses of the layer that varies, nm, 1 component; data may be NULL only if none varies.
+    PellicleConstView thickness_nm;
+    // Receives r_s, 2 `lambda_count` components: real and imaginary part at the first wavelength, then those
+    // at the next.
+    PellicleView r_s;
+    // Receives r_p likewise.
+    PellicleView r_p;
+    // Receives t_s likewise.
+    PellicleView t_s;
+    // Receives t_p likewise.
+    PellicleView t_p;
+    // Where the light comes from: PELLICLE_SIDE_AMBIENT (0) or PELLICLE_SIDE_BASE.
+    uint32_t side;
+} PellicleAmplitudesBatchArgs;
+
 // Every function of this header, by its name without the prefix. It grows by appending: before using
 // a member that was added later, check that it lies within `size`.
 struct PellicleApi {
@@ -647,6 +686,23 @@ struct PellicleApi {
         const float *lambda_nm,
         size_t count,
         float *reflectance);
+    PellicleStatus (*film_spectrum_eval)(
+        const PellicleFilm *film,
+        float cos_theta,
+        float thickness_nm,
+        uint32_t side,
+        const float *lambda_nm,
+        size_t count,
+        float *reflectance,
+        float *transmittance);
+    PellicleStatus (*film_amplitudes)(
+        const PellicleFilm *film,
+        float cos_theta,
+        float thickness_nm,
+        uint32_t side,
+        const float *lambda_nm,
+        size_t count,
+        PellicleAmplitudes *amplitudes);
     PellicleStatus (*bsdf_create)(
         const PellicleBsdfDesc *desc,
         size_t desc_size,
@@ -698,6 +754,10 @@ struct PellicleApi {
     PellicleStatus (*film_reflectance_batch)(
         const PellicleFilm *film,
         const PellicleFilmBatchArgs *args,
+        size_t args_size);
+    PellicleStatus (*film_amplitudes_batch)(
+        const PellicleFilm *film,
+        const PellicleAmplitudesBatchArgs *args,
         size_t args_size);
 };
 
@@ -857,6 +917,55 @@ PellicleStatus pellicle_film_spectrum(const PellicleFilm *film,
                                       size_t count,
                                       float *reflectance);
 
+// Reflectance and transmittance of unpolarised light from either side at single wavelengths, by full wave
+// optics, for spectral renderers. Needs no PellicleFilmDesc::transmittance, and allocates nothing.
+//
+// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE. Named media are constant
+// outside the range of their data (PellicleMediumInfo). `reflectance`, `transmittance`: `count` numbers each,
+// not clipped; either may be NULL if not wanted, not both; one that overlaps `lambda_nm` is INVALID_ARGUMENT.
+// `cos_theta`, `thickness_nm` and `side` as in pellicle_film_eval().
+//
+// Preconditions:
+// `film` must be NULL (refused) or a live handle, the arrays NULL (`lambda_nm`: refused, unless `count` is 0)
+// or good for `count` numbers.
+PellicleStatus pellicle_film_spectrum_eval(const PellicleFilm *film,
+                                           float cos_theta,
+                                           float thickness_nm,
+                                           uint32_t side,
+                                           const float *lambda_nm,
+                                           size_t count,
+                                           float *reflectance,
+                                           float *transmittance);
+
+// Complex amplitudes r_s, r_p, t_s and t_p from either side at single wavelengths, by full wave optics: for
+// renderers that track polarisation, and for ellipsometry. Needs no PellicleFilmDesc::transmittance, and
+// allocates nothing.
+//
+// Waves are exp(i (k x - omega t)), so that an index eta + i k with k > 0 absorbs and a longer path adds to
+// the phase. At normal incidence r_p = -r_s. These are the signs of Byrnes (arXiv:1603.02720) and his Python
+// package tmm. r compares the fields on the near side of the film's first surface, t the field just behind
+// its last surface with the incident one at the first. |r|^2 is the reflectance. With the complex indices n
+// and cosines c on the two sides (n sin alike on both, Im(n c) >= 0), the transmittance is
+//
+//     T_s = |t_s|^2 Re(n_far c_far) / (n_near c_near)
+//     T_p = |t_p|^2 Re(n_far conj(c_far)) / (n_near c_near)
+//
+// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE. Named media are constant
+// outside the range of their data (PellicleMediumInfo). `amplitudes`: `count` structs; INVALID_ARGUMENT if they
+// overlap `lambda_nm`. `cos_theta`, `thickness_nm` and `side` as in pellicle_film_eval(): everything is 0 from a
+// base that absorbs.
+//
+// Preconditions:
+// `film` must be NULL (refused) or a live handle, the arrays NULL (refused, unless `count` is 0) or good for
+// `count` elements.
+PellicleStatus pellicle_film_amplitudes(const PellicleFilm *film,
+                                        float cos_theta,
+                                        float thickness_nm,
+                                        uint32_t side,
+                                        const float *lambda_nm,
+                                        size_t count,
+                                        PellicleAmplitudes *amplitudes);
+
 // Creates a BSDF: validates the description, compiles it, and stores a handle with one reference in
 // `*bsdf`. Call it when loading, not when shading: it takes milliseconds, at
 // most a tenth of a second.
@@ -990,6 +1099,19 @@ PellicleStatus pellicle_bsdf_sample_batch(const PellicleBsdf *bsdf,
 PellicleStatus pellicle_film_reflectance_batch(const PellicleFilm *film,
                                                const PellicleFilmBatchArgs *args,
                                                size_t args_size);
+
+// Calls pellicle_film_amplitudes() for every element of strided arrays, each with wavelengths of its own or all
+// with the same; the results are those of single calls, bit for bit. An output with data NULL is not wanted; at
+// least one must be. An output that overlaps an input or another output is undefined behaviour.
+//
+// A wavelength that is not finite and above 0 is OUT_OF_RANGE, whichever element it belongs to, and nothing is
+// written.
+//
+// Preconditions:
+// As for pellicle_film_reflectance_batch().
+PellicleStatus pellicle_film_amplitudes_batch(const PellicleFilm *film,
+                                              const PellicleAmplitudesBatchArgs *args,
+                                              size_t args_size);
 
 // Gives the table of functions: the one symbol to look up with dlsym(). Pass PELLICLE_ABI_VERSION; NULL
 // means that the library that runs has another one. The table lives as long as the library.

@@ -247,6 +247,25 @@ public:
         detail::pellicle_throw_on_failure(
             pellicle_film_spectrum(raw(), cos_theta, thickness_nm, lambda_nm, count, reflectance));
     }
+
+    // Reflectance and transmittance at `count` vacuum wavelengths; either may be null.
+    void spectrum_eval(float cos_theta, float thickness_nm, std::uint32_t side, const float *lambda_nm,
+                       std::size_t count, float *reflectance, float *transmittance) const {
+        detail::pellicle_throw_on_failure(pellicle_film_spectrum_eval(
+            raw(), cos_theta, thickness_nm, side, lambda_nm, count, reflectance, transmittance));
+    }
+
+    // Complex r_s, r_p, t_s, t_p at `count` vacuum wavelengths; pellicle.h states signs and phases.
+    void amplitudes(float cos_theta, float thickness_nm, std::uint32_t side, const float *lambda_nm,
+                    std::size_t count, PellicleAmplitudes *amplitudes) const {
+        detail::pellicle_throw_on_failure(
+            pellicle_film_amplitudes(raw(), cos_theta, thickness_nm, side, lambda_nm, count, amplitudes));
+    }
+
+    // amplitudes() of args.count elements at args.lambda_count wavelengths; the numbers are those of single calls.
+    void amplitudes_batch(const PellicleAmplitudesBatchArgs &args) const {
+        detail::pellicle_throw_on_failure(pellicle_film_amplitudes_batch(raw(), &args, sizeof args));
+    }
 #endif
 
 private:

@@ -4,10 +4,13 @@
 #![allow(unsafe_code)] // an allocator, and the C interface
 
 use pellicle::capi::*;
+use pellicle::film::{Film, FilmDescription};
+use pellicle::optics::Medium;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::ffi::CStr;
 use std::ptr::null_mut;
+use std::sync::Arc;
 
 /// Allocations from here on are tables. Working memory is less, for these films: that of the reference, which
 /// grows with the fringes that it has to resolve, cannot fail without ending the program.
@@ -17,6 +20,7 @@ thread_local! {
     /// How many large allocations succeed before one fails.
     static LEFT: Cell<usize> = const { Cell::new(usize::MAX) };
     static IN_USE: Cell<isize> = const { Cell::new(0) };
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
 struct Failing;
@@ -36,6 +40,7 @@ unsafe impl GlobalAlloc for Failing {
             }
         }
         IN_USE.set(IN_USE.get() + layout.size() as isize);
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
         // SAFETY: as the caller vouches.
         unsafe { System.alloc(layout) }
     }
@@ -131,4 +136,55 @@ fn a_film_without_memory_for_its_table_is_refused() {
 fn so_is_one_without_memory_for_any_of_its_tables() {
     let count = tables(medium(2.0, 0.02), medium(1.5, 0.0), 1);
     assert!(count >= 6, "{count} large allocations");
+}
+
+/// Spectral renderers call these at every hit.
+#[test]
+fn amplitudes_and_spectra_allocate_nothing() {
+    let mut description = FilmDescription {
+        method: Some("reference".into()),
+        ..FilmDescription::new(Medium::named("BK7").unwrap())
+    };
+    for name in ["SiO2", "Ag", "TiO2"] {
+        description = description.layer(Medium::named(name).unwrap(), [20.0; 2]);
+    }
+    let measured = Medium::table(&[400.0, 600.0], &[1.5, 1.6], &[0.0, 0.1]).unwrap();
+    description = description.layer(measured, [0.0, 300.0]);
+    let film = film_handle(Arc::new(Film::new(&description).unwrap()), None).unwrap();
+    let lambda_nm: [f32; 40] = std::array::from_fn(|i| 380.0 + 10.0 * i as f32);
+    let mut numbers = [0.0f32; 8 * 40];
+    let output = numbers.as_mut_ptr();
+    let view = PellicleConstView {
+        data: lambda_nm.as_ptr(),
+        element_stride: 0,
+        component_stride: 4,
+    };
+    let before = ALLOCATIONS.get();
+    for count in [1, 4, 16, 40] {
+        for side in [PELLICLE_SIDE_AMBIENT, PELLICLE_SIDE_BASE] {
+            let nm = lambda_nm.as_ptr();
+            // SAFETY: a live handle, 40 wavelengths, room for 40 results.
+            unsafe {
+                let found = output.cast();
+                let status = pellicle_film_amplitudes(film, 0.7, 90.0, side, nm, count, found);
+                assert_eq!(status, PELLICLE_OK);
+                let (r, t) = (output, output.add(40));
+                let status = pellicle_film_spectrum_eval(film, 0.7, 90.0, side, nm, count, r, t);
+                assert_eq!(status, PELLICLE_OK);
+                let mut args: PellicleAmplitudesBatchArgs = std::mem::zeroed();
+                (args.count, args.lambda_count, args.side) = (2, count, side);
+                [args.lambda_nm, args.cos_theta, args.thickness_nm] = [view; 3];
+                args.t_s = PellicleView {
+                    data: output,
+                    element_stride: 8 * 40,
+                    component_stride: 4,
+                };
+                let status = pellicle_film_amplitudes_batch(film, &args, size_of_val(&args));
+                assert_eq!(status, PELLICLE_OK);
+            }
+        }
+    }
+    assert_eq!(ALLOCATIONS.get(), before);
+    // SAFETY: a live handle.
+    unsafe { pellicle_film_release(film) };
 }

@@ -68,6 +68,20 @@ TEST_CASE("alignment: single calls read and write numbers anywhere") {
     std::vector<float> spectrum(3);
     film.spectrum(0.7f, 99.0f, nm, 3, spectrum.data());
     CHECK_EQ(value.read(3), spectrum);
+    REQUIRE_EQ(pellicle_film_spectrum_eval(film.raw(), 0.7f, 99.0f, PELLICLE_SIDE_BASE, lambda_nm.get(), 3, value.get(),
+                                           albedo.get()),
+               PELLICLE_OK);
+    std::vector<float> transmittance(3);
+    film.spectrum_eval(0.7f, 99.0f, PELLICLE_SIDE_BASE, nm, 3, spectrum.data(), transmittance.data());
+    CHECK_EQ(value.read(3), spectrum);
+    CHECK_EQ(albedo.read(3), transmittance);
+    Misaligned<PellicleAmplitudes> amplitudes(std::vector<PellicleAmplitudes>(3));
+    REQUIRE_EQ(pellicle_film_amplitudes(film.raw(), 0.7f, 99.0f, PELLICLE_SIDE_BASE, lambda_nm.get(), 3, amplitudes.get()),
+               PELLICLE_OK);
+    std::vector<PellicleAmplitudes> aligned_amplitudes(3);
+    film.amplitudes(0.7f, 99.0f, PELLICLE_SIDE_BASE, nm, 3, aligned_amplitudes.data());
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(support::same_bits(amplitudes.read(3)[i].r_s, aligned_amplitudes[i].r_s, 8));
 }
 
 TEST_CASE("alignment: descriptions and all that they point to lie anywhere") {

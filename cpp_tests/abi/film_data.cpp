@@ -61,6 +61,21 @@ const std::vector<Call> calls = {
          film.spectrum(cos_theta, thickness_nm, lambda_nm, 2, numbers.data());
          return numbers;
      }},
+    {"spectrum_eval", [](const pellicle::Film &film, float cos_theta, float thickness_nm) {
+         const float lambda_nm[2] = {450.0f, 650.0f};
+         std::vector<float> numbers(4, -1.0f);
+         film.spectrum_eval(cos_theta, thickness_nm, PELLICLE_SIDE_BASE, lambda_nm, 2, numbers.data(), numbers.data() + 2);
+         return numbers;
+     }},
+    {"amplitudes, |r|^2", [](const pellicle::Film &film, float cos_theta, float thickness_nm) {
+         const float lambda_nm[2] = {450.0f, 650.0f};
+         PellicleAmplitudes found[2];
+         film.amplitudes(cos_theta, thickness_nm, PELLICLE_SIDE_AMBIENT, lambda_nm, 2, found);
+         std::vector<float> numbers;
+         for (const PellicleAmplitudes &at : found)
+             for (const auto &r : {at.r_s, at.r_p}) numbers.push_back(r[0] * r[0] + r[1] * r[1]);
+         return numbers;
+     }},
 };
 
 bool same(const std::vector<float> &a, const std::vector<float> &b) {
@@ -134,9 +149,13 @@ TEST_CASE("film data: wavelengths of any positive length give a reflectance with
     std::vector<float> reflectance(lambda_nm.size(), -1.0f);
     for (const float cos_theta : {0.0f, 0.5f, 1.0f}) {
         film().spectrum(cos_theta, 200.0f, lambda_nm.data(), lambda_nm.size(), reflectance.data());
-        for (const float number : reflectance) {
-            CHECK_GE(number, 0.0f);
-            CHECK_LE(number, 1.000001f);
+        std::vector<float> again(lambda_nm.size()), transmittance(lambda_nm.size());
+        film().spectrum_eval(cos_theta, 200.0f, PELLICLE_SIDE_AMBIENT, lambda_nm.data(), lambda_nm.size(), again.data(),
+                             transmittance.data());
+        for (std::size_t i = 0; i < reflectance.size(); ++i) {
+            CHECK_GE(reflectance[i], 0.0f);
+            CHECK_LE(reflectance[i], 1.000001f);
+            CHECK_EQ(again[i] + transmittance[i], doctest::Approx(1.0).epsilon(1e-6));
         }
     }
 }

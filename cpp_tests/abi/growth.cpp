@@ -91,6 +91,18 @@ struct FilmBatch {
     }
 };
 
+struct AmplitudesBatch {
+    float cosine = 1.0f, lambda_nm = 550.0f;
+    float r_s[2] = {-2.0f, -2.0f};
+    PellicleAmplitudesBatchArgs args{};
+    AmplitudesBatch() {
+        args.count = args.lambda_count = 1;
+        args.cos_theta = {&cosine, 4, 4};
+        args.lambda_nm = {&lambda_nm, 4, 4};
+        args.r_s = {r_s, 8, 4};
+    }
+};
+
 // `input` followed by `tail` bytes of which the one at `position` is `byte`; ends at a guard page.
 template <class Input> class WithTail {
 public:
@@ -382,6 +394,13 @@ TEST_CASE("growth: newer batch arguments are refused if they use what this build
         film.reflectance[0] = -1.0f;
         const PellicleStatus status = pellicle_film_reflectance_batch(support::fixed_film().raw(), longer, size);
         CHECK_EQ(film.reflectance[0] == -1.0f, status != PELLICLE_OK);
+        return status;
+    });
+    AmplitudesBatch amplitudes;
+    check_tails(amplitudes.args, [&](const PellicleAmplitudesBatchArgs *longer, std::size_t size) {
+        amplitudes.r_s[0] = -2.0f;
+        const PellicleStatus status = pellicle_film_amplitudes_batch(support::fixed_film().raw(), longer, size);
+        CHECK_EQ(amplitudes.r_s[0] == -2.0f, status != PELLICLE_OK);
         return status;
     });
 }

@@ -56,6 +56,7 @@ struct Outputs {
     Untouched<PellicleBsdf *> bsdf_handle;
     Untouched<float[3]> rgb, other;
     Untouched<float> pdf, pdf_reverse;
+    Untouched<PellicleAmplitudes[3]> amplitudes;
 };
 
 // The functions below, which the last test compares with those of the header.
@@ -72,6 +73,7 @@ std::vector<std::pair<std::string, std::function<void()>>> all_calls(Outputs &ou
     static const PellicleEvalBatchArgs eval_args{};
     static const PellicleSampleBatchArgs sample_args{};
     static const PellicleFilmBatchArgs film_args{};
+    static const PellicleAmplitudesBatchArgs amplitudes_args{};
 #define NULLS(function, names, ...) {#function, [&outputs] { check_nulls(pellicle_##function, names, {__VA_ARGS__}); }}
 #define NAMES(...) {__VA_ARGS__}
     return {
@@ -88,6 +90,11 @@ std::vector<std::pair<std::string, std::function<void()>>> all_calls(Outputs &ou
         NULLS(film_reference, NAMES("film", "", "", "rgb"), film, 1.0f, 0.0f, outputs.rgb.output),
         NULLS(film_spectrum, NAMES("film", "", "", "lambda_nm", "", "reflectance"), film, 1.0f, 0.0f, lambda_nm, 3,
               outputs.rgb.output),
+        NULLS(film_spectrum_eval, NAMES("film", "", "", "", "lambda_nm", "", "", ""), film, 1.0f, 0.0f,
+              PELLICLE_SIDE_AMBIENT, lambda_nm, 3, outputs.rgb.output, outputs.other.output),
+        NULLS(film_amplitudes, NAMES("film", "", "", "", "lambda_nm", "", "amplitudes"), film, 1.0f, 0.0f,
+              PELLICLE_SIDE_AMBIENT, lambda_nm, 3, outputs.amplitudes.output),
+        NULLS(film_amplitudes_batch, NAMES("film", "args", ""), film, &amplitudes_args, sizeof amplitudes_args),
         NULLS(film_reflectance_batch, NAMES("film", "args", ""), film, &film_args, sizeof film_args),
         NULLS(bsdf_create, NAMES("desc", "", "bsdf"), &bsdf_desc, sizeof bsdf_desc, &outputs.bsdf_handle.output),
         NULLS(bsdf_info, NAMES("bsdf", "info", ""), bsdf.raw(), &outputs.bsdf_info.output, sizeof outputs.bsdf_info.output),
@@ -168,6 +175,16 @@ TEST_CASE("null: all outputs missing are refused, any of them alone does not cha
         CHECK(support::same_bits(transmittance, both.transmittance.data(), 3));
     }
     CHECK_EQ(pellicle_film_spectrum(film.raw(), 1.0f, 0.0f, nullptr, 0, nullptr), PELLICLE_OK);
+    CHECK_EQ(pellicle_film_amplitudes(film.raw(), 1.0f, 0.0f, PELLICLE_SIDE_BASE, nullptr, 0, nullptr), PELLICLE_OK);
+
+    const float nm[2] = {450.0f, 550.0f};
+    CHECK_REFUSED(pellicle_film_spectrum_eval(film.raw(), 1.0f, 0.0f, PELLICLE_SIDE_BASE, nm, 2, nullptr, nullptr),
+                  PELLICLE_INVALID_ARGUMENT, "reflectance");
+    float both[4], alone[4];
+    film.spectrum_eval(0.5f, 0.0f, PELLICLE_SIDE_BASE, nm, 2, both, both + 2);
+    film.spectrum_eval(0.5f, 0.0f, PELLICLE_SIDE_BASE, nm, 2, alone, nullptr);
+    film.spectrum_eval(0.5f, 0.0f, PELLICLE_SIDE_BASE, nm, 2, nullptr, alone + 2);
+    CHECK(support::same_bits(both, alone, 4));
 }
 
 TEST_CASE("null: create refuses every missing pointer of its description") {
@@ -274,6 +291,22 @@ TEST_CASE("null: batches refuse every missing view but the outputs not wanted") 
     refuse_film("cos_theta", [](auto &args) { args.cos_theta.data = nullptr; });
     refuse_film("thickness_nm", [](auto &args) { args.thickness_nm.data = nullptr; });
     refuse_film("reflectance", [](auto &args) { args.reflectance.data = nullptr; });
+    PellicleAmplitudesBatchArgs amplitudes{};
+    amplitudes.count = amplitudes.lambda_count = 1;
+    amplitudes.cos_theta = amplitudes.thickness_nm = amplitudes.lambda_nm = {&number, 4, 4};
+    amplitudes.r_s = {output.output, 8, 4};
+    const auto refuse_amplitudes = [&](const char *words, auto change) {
+        PellicleAmplitudesBatchArgs args = amplitudes;
+        change(args);
+        CHECK_REFUSED(pellicle_film_amplitudes_batch(film, &args, sizeof args), PELLICLE_INVALID_ARGUMENT, words);
+    };
+    refuse_amplitudes("cos_theta", [](auto &args) { args.cos_theta.data = nullptr; });
+    refuse_amplitudes("thickness_nm", [](auto &args) { args.thickness_nm.data = nullptr; });
+    refuse_amplitudes("lambda_nm", [](auto &args) { args.lambda_nm.data = nullptr; });
+    refuse_amplitudes("t_p", [](auto &args) { args.r_s.data = nullptr; });
+    amplitudes.cos_theta.data = nullptr;
+    amplitudes.lambda_count = 0;
+    CHECK_EQ(pellicle_film_amplitudes_batch(film, &amplitudes, sizeof amplitudes), PELLICLE_OK);
     reflectance.thickness_nm.data = nullptr;
     reflectance.count = 0;
     CHECK_EQ(pellicle_film_reflectance_batch(film, &reflectance, sizeof reflectance), PELLICLE_OK);

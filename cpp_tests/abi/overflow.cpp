@@ -156,11 +156,40 @@ TEST_CASE("overflow: film batches refuse every view that leaves the address spac
                         });
 }
 
+TEST_CASE("overflow: batches of amplitudes refuse every view that leaves the address space") {
+    const Forbidden memory;
+    PellicleAmplitudesBatchArgs args{};
+    args.lambda_count = 3;
+    args.lambda_nm = args.cos_theta = args.thickness_nm = {memory.data(), 0, 0};
+    args.r_s = args.r_p = args.t_s = args.t_p = {memory.data(), 0, 0};
+    using Args = PellicleAmplitudesBatchArgs;
+    const auto call = [](const Args &a) {
+        return pellicle_film_amplitudes_batch(support::varying_film().raw(), &a, sizeof a);
+    };
+    check_refused<Args>(args,
+                        {
+                            {"lambda_nm", true, [](Args &a, const Reach &r) { set_view(a.lambda_nm, r); }},
+                            {"cos_theta", false, [](Args &a, const Reach &r) { set_view(a.cos_theta, r); }},
+                            {"thickness_nm", false, [](Args &a, const Reach &r) { set_view(a.thickness_nm, r); }},
+                            {"r_s", true, [](Args &a, const Reach &r) { set_view(a.r_s, r); }},
+                            {"r_p", true, [](Args &a, const Reach &r) { set_view(a.r_p, r); }},
+                            {"t_s", true, [](Args &a, const Reach &r) { set_view(a.t_s, r); }},
+                            {"t_p", true, [](Args &a, const Reach &r) { set_view(a.t_p, r); }},
+                        },
+                        call);
+    args.count = SIZE_MAX / 2;
+    CHECK_REFUSED(call(args), PELLICLE_INVALID_ARGUMENT, "lambda_count");
+}
+
 TEST_CASE("overflow: counts of single calls and descriptions are refused as well") {
     const Forbidden memory;
     for (const std::size_t count : {SIZE_MAX, SIZE_MAX / 4 + 1, SIZE_MAX / 8 + 1}) {
         CAPTURE(count);
         CHECK_REFUSED(pellicle_film_spectrum(support::fixed_film().raw(), 1.0f, 0.0f, memory.data(), count, memory.data()),
+                      PELLICLE_INVALID_ARGUMENT, "lambda_nm");
+        auto *amplitudes = reinterpret_cast<PellicleAmplitudes *>(memory.data());
+        CHECK_REFUSED(pellicle_film_amplitudes(support::fixed_film().raw(), 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT,
+                                               memory.data(), count, amplitudes),
                       PELLICLE_INVALID_ARGUMENT, "lambda_nm");
 
         PellicleBsdfDesc bsdf{};

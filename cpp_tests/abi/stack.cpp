@@ -247,6 +247,20 @@ TEST_CASE("stack: every call of a film needs at most 32 KiB, at every SIMD level
             check("reference", [&] { status = pellicle_film_reference(film.raw(), 0.5f, 100.0f, rgb); });
             const float lambda_nm[] = {450, 550};
             check("spectrum", [&] { status = pellicle_film_spectrum(film.raw(), 0.5f, 100.0f, lambda_nm, 2, rgb); });
+            check("spectrum_eval", [&] {
+                status = pellicle_film_spectrum_eval(film.raw(), 0.5f, 100.0f, PELLICLE_SIDE_BASE, lambda_nm, 2, rgb, rgb + 2);
+            });
+            PellicleAmplitudes amplitudes[2];
+            check("amplitudes", [&] {
+                status = pellicle_film_amplitudes(film.raw(), 0.5f, 100.0f, PELLICLE_SIDE_AMBIENT, lambda_nm, 2, amplitudes);
+            });
+            PellicleAmplitudesBatchArgs pairs{};
+            pairs.count = 1;
+            pairs.lambda_count = 2;
+            pairs.lambda_nm = {lambda_nm, 0, 4};
+            pairs.cos_theta = pairs.thickness_nm = {lambda_nm, 4, 4};
+            pairs.t_p = {rgb, 16, 4};
+            check("amplitudes_batch", [&] { status = pellicle_film_amplitudes_batch(film.raw(), &pairs, sizeof pairs); });
             PellicleFilmPlan plan;
             check("plan", [&] { status = pellicle_film_plan(film.raw(), &plan, sizeof plan); });
             std::vector<float> cosines(1000, 0.5f), thicknesses(1000, 100.0f), reflectance(3000);

@@ -36,7 +36,7 @@ pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs, level: Level) -> Re
         ));
     }
     args.cos_theta.check("cos_theta", 1, count)?;
-    let thickness_nm = thickness(film, args)?;
+    let thickness_nm = thickness(film, args.thickness_nm, count)?;
     args.reflectance.check("reflectance", 3, count)?;
     let inputs = [args.cos_theta.span(1, count), thickness_nm.span(1, count)];
     let outputs = [args.reflectance.target(3, count)];
@@ -58,14 +58,18 @@ pub unsafe fn film_reflectance(film: &Film, args: &FilmArgs, level: Level) -> Re
 
 /// The view of the thicknesses. For a film without a varying layer, null data is replaced by one arbitrary
 /// number for all elements.
-fn thickness(film: &Film, args: &FilmArgs) -> Result<ConstView, Error> {
-    if args.thickness_nm.data.is_null() && film.varying_thickness_nm().is_none() {
+pub(super) fn thickness(
+    film: &Film,
+    thickness_nm: ConstView,
+    count: usize,
+) -> Result<ConstView, Error> {
+    if thickness_nm.data.is_null() && film.varying_thickness_nm().is_none() {
         return Ok(ConstView {
             data: &0.0,
             element_stride: 0,
             component_stride: 0,
         });
     }
-    args.thickness_nm.check("thickness_nm", 1, args.count)?;
-    Ok(args.thickness_nm)
+    thickness_nm.check("thickness_nm", 1, count)?;
+    Ok(thickness_nm)
 }

@@ -2,12 +2,14 @@
 
 #![allow(unsafe_code)]
 
+mod amplitudes;
 mod chunk;
 mod film;
 mod job;
 mod varying;
 mod view;
 
+pub use amplitudes::{AmplitudeArgs, film_amplitudes};
 pub use film::{FilmArgs, film_reflectance};
 pub use job::{EvalArgs, SampleArgs, eval, sample};
 pub use view::{ConstView, View};

@@ -52,12 +52,14 @@ impl ConstView {
     }
 
     /// [`View::address`]
+    #[inline(always)]
     pub(super) unsafe fn address(&self, i: usize, c: usize) -> *const f32 {
         // SAFETY: the caller vouches for it.
         unsafe { self.as_view().address(i, c) }
     }
 
     /// A [`View`] with the same addresses, for methods that do not write.
+    #[inline(always)]
     pub(super) fn as_view(&self) -> View {
         View {
             data: self.data.cast_mut(),
@@ -135,6 +137,7 @@ impl<T: Copy> View<T> {
     }
 
     /// The address of component c of element i.
+    #[inline(always)]
     pub(super) unsafe fn address(&self, i: usize, c: usize) -> *mut T {
         let offset = i as isize * self.element_stride + c as isize * self.component_stride;
         // SAFETY: the caller vouches for the address; `check` has found that the offset does not overflow.

@@ -4,12 +4,13 @@ use super::boundary::{elements, guard, read_growing};
 use super::bsdf_types::{PellicleEvalBatchArgs, PellicleSampleBatchArgs};
 use super::c_types::size_t;
 use super::call::call_options;
-use super::film_types::PellicleFilmBatchArgs;
+use super::film_calls::known_side;
+use super::film_types::{PellicleAmplitudesBatchArgs, PellicleFilmBatchArgs};
 use super::types::{
     PellicleBsdf, PellicleConstView, PellicleFilm, PellicleStatus, PellicleUintView, PellicleView,
 };
 use super::{bsdf, film};
-use crate::batch::{self, ConstView, EvalArgs, FilmArgs, SampleArgs, View};
+use crate::batch::{self, AmplitudeArgs, ConstView, EvalArgs, FilmArgs, SampleArgs, View};
 use crate::bsdf::MAX_VARYING;
 use crate::error::Error;
 
@@ -110,6 +111,40 @@ pub unsafe extern "C" fn pellicle_film_reflectance_batch(
                 reflectance: args.reflectance.into(),
             };
             batch::film_reflectance(&handle.film, &args, handle.level)
+        }
+    })
+}
+
+/// Calls pellicle_film_amplitudes() for every element of strided arrays, each with wavelengths of its own or all
+/// with the same; the results are those of single calls, bit for bit. An output with data NULL is not wanted; at
+/// least one must be. An output that overlaps an input or another output is undefined behaviour.
+///
+/// A wavelength that is not finite and above 0 is OUT_OF_RANGE, whichever element it belongs to, and nothing is
+/// written.
+///
+/// # Safety
+/// As for pellicle_film_reflectance_batch().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_film_amplitudes_batch(
+    film: *const PellicleFilm,
+    args: *const PellicleAmplitudesBatchArgs,
+    args_size: size_t,
+) -> PellicleStatus {
+    guard(|| {
+        // SAFETY: the caller vouches for handle, size and views. Zero is a valid value of the args.
+        unsafe {
+            let handle = film::handle(film)?;
+            let args = read_growing(args, args_size, "args")?;
+            let args = AmplitudeArgs {
+                count: args.count,
+                lambda_count: args.lambda_count,
+                side: known_side(args.side)?,
+                lambda_nm: args.lambda_nm.into(),
+                cos_theta: args.cos_theta.into(),
+                thickness_nm: args.thickness_nm.into(),
+                outputs: [args.r_s, args.r_p, args.t_s, args.t_p].map(View::from),
+            };
+            batch::film_amplitudes(&handle.film, &args)
         }
     })
 }

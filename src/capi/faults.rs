@@ -230,6 +230,24 @@ fn calls() -> Vec<(&'static str, Call)> {
                 out.numbers.as_mut_ptr(),
             )
         }),
+        ("pellicle_film_spectrum_eval", |handles, out| unsafe {
+            let [one, other] = [0, 1].map(|at| out.numbers.as_mut_ptr().add(at));
+            let (film, nm, side) = (handles.film, 550.0, PELLICLE_SIDE_BASE);
+            pellicle_film_spectrum_eval(film, 0.5, 0.0, side, &nm, 1, one, other)
+        }),
+        ("pellicle_film_amplitudes", |handles, out| unsafe {
+            let (film, nm, side) = (handles.film, 550.0, PELLICLE_SIDE_BASE);
+            let amplitudes = out.numbers.as_mut_ptr().cast();
+            pellicle_film_amplitudes(film, 0.5, 0.0, side, &nm, 1, amplitudes)
+        }),
+        ("pellicle_film_amplitudes_batch", |handles, out| unsafe {
+            let mut args: PellicleAmplitudesBatchArgs = std::mem::zeroed();
+            (args.count, args.lambda_count) = (5, 1);
+            args.lambda_nm = const_view(&[550.0]);
+            args.cos_theta = const_view(&[0.5]);
+            args.r_s = view(out.numbers.as_mut_ptr());
+            pellicle_film_amplitudes_batch(handles.film, &args, size_of_val(&args))
+        }),
     ]
 }
 

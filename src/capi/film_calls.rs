@@ -168,7 +168,7 @@ unsafe fn write(target: *mut f32, rgb: [f32; 3]) {
 }
 
 #[inline(always)]
-fn known_side(side: u32) -> Result<Side, Error> {
+pub(super) fn known_side(side: u32) -> Result<Side, Error> {
     match side {
         PELLICLE_SIDE_AMBIENT => Ok(Side::Ambient),
         PELLICLE_SIDE_BASE => Ok(Side::Base),
@@ -184,12 +184,17 @@ fn wrong_side(side: u32) -> Error {
 }
 
 /// Refuses wavelengths before anything is written: outputs stay untouched if one of them is wrong.
-unsafe fn check_wavelengths(film: &Film, lambda_nm: *const f32, count: usize) -> Result<(), Error> {
+#[inline(always)]
+pub(super) unsafe fn check_wavelengths(
+    film: &Film,
+    lambda_nm: *const f32,
+    count: usize,
+) -> Result<(), Error> {
     // SAFETY: the caller vouches for `count` numbers.
     let given = unsafe { elements(lambda_nm, count, "lambda_nm")? };
     for (at, nm) in given.enumerate() {
         let name = format_args!("lambda_nm[{at}]");
-        film.description().check_wavelength(name, f64::from(nm))?;
+        film.check_wavelength(name, f64::from(nm))?;
     }
     Ok(())
 }

@@ -146,3 +146,46 @@ pub struct PellicleFilmBatchArgs {
     /// Receives the reflectance, 3 components.
     pub reflectance: PellicleView,
 }
+
+/// Complex ratios of the electric fields of reflected and transmitted light to that of the incident light:
+/// real part, imaginary part. pellicle_film_amplitudes() states signs and phases. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleAmplitudes {
+    /// Reflected, E parallel to the layers.
+    pub r_s: [f32; 2],
+    /// Reflected, H parallel to the layers.
+    pub r_p: [f32; 2],
+    /// Transmitted, E parallel to the layers.
+    pub t_s: [f32; 2],
+    /// Transmitted, H parallel to the layers.
+    pub t_p: [f32; 2],
+}
+
+/// Arguments of pellicle_film_amplitudes_batch(). Zero-initialise them. They grow by appending; pass
+/// sizeof(PellicleAmplitudesBatchArgs).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleAmplitudesBatchArgs {
+    /// Number of elements; 0 is allowed and does nothing.
+    pub count: size_t,
+    /// Number of wavelengths of each element; 0 is allowed and does nothing.
+    pub lambda_count: size_t,
+    /// Vacuum wavelengths, nm, `lambda_count` components; element_stride 0 gives all elements the same.
+    pub lambda_nm: PellicleConstView,
+    /// Cosines of incidence, 1 component.
+    pub cos_theta: PellicleConstView,
+    /// Thicknesses of the layer that varies, nm, 1 component; data may be NULL only if none varies.
+    pub thickness_nm: PellicleConstView,
+    /// Receives r_s, 2 `lambda_count` components: real and imaginary part at the first wavelength, then those
+    /// at the next.
+    pub r_s: PellicleView,
+    /// Receives r_p likewise.
+    pub r_p: PellicleView,
+    /// Receives t_s likewise.
+    pub t_s: PellicleView,
+    /// Receives t_p likewise.
+    pub t_p: PellicleView,
+    /// Where the light comes from: PELLICLE_SIDE_AMBIENT (0) or PELLICLE_SIDE_BASE.
+    pub side: u32,
+}

@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::num::{Lane, Real, Rgb, each};
 use crate::optics::stack::Side;
 use crate::optics::{ChannelWeights, Medium, Reference, attenuation_per_mm};
+use std::fmt::Display;
 
 /// A coating, compiled to the method that its [`FilmPlan`] names. Immutable; share it between threads.
 ///
@@ -25,11 +26,13 @@ pub struct Film {
     thickness_nm: [f32; 2],
     reference: Reference,
     attenuation_per_mm: Rgb<f64>,
+    /// The wavelengths at which spectra are given, nm.
+    lambda_nm: [f64; 2],
 }
 
 /// The least cosine; smaller ones are replaced by it. At 0 even the thinnest film is a perfect mirror,
 /// while a base without film may reflect nothing.
-const LEAST_COSINE: f32 = 1e-9;
+pub(super) const LEAST_COSINE: f32 = 1e-9;
 
 impl Film {
     /// Validates a description and compiles it.
@@ -57,7 +60,22 @@ impl Film {
             plan,
             thickness_nm: description.varying_range().map(|x| x as f32),
             reference,
+            lambda_nm: if description.extrapolate {
+                [0.0, f64::INFINITY]
+            } else {
+                description.range_nm()
+            },
         })
+    }
+
+    /// [`FilmDescription::check_wavelength`], quick for wavelengths that are allowed.
+    #[inline(always)]
+    pub(crate) fn check_wavelength(&self, name: impl Display, nm: f64) -> Result<(), Error> {
+        let [least, greatest] = self.lambda_nm;
+        if nm > 0.0 && nm < f64::INFINITY && (least..=greatest).contains(&nm) {
+            return Ok(());
+        }
+        self.description.check_wavelength(name, nm)
     }
 
     /// The description of the film.
@@ -220,8 +238,7 @@ impl Film {
         thickness_nm: f64,
         wavelength_nm: f64,
     ) -> Result<f64, Error> {
-        self.description
-            .check_wavelength("wavelength_nm", wavelength_nm)?;
+        self.check_wavelength("wavelength_nm", wavelength_nm)?;
         if cos_theta.is_nan() || thickness_nm.is_nan() {
             return Ok(0.0);
         }

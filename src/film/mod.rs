@@ -17,6 +17,7 @@ mod film;
 mod fringe_series;
 mod method;
 mod plan;
+mod spectra;
 mod table;
 mod tabulated;
 mod tile;
@@ -37,3 +38,4 @@ pub use method::registry::METHODS;
 #[doc(hidden)]
 pub use method::registry::OneLayerMethod;
 pub use plan::choose::FilmPlan;
+pub(crate) use spectra::Ray;

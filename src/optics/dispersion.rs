@@ -4,6 +4,7 @@ use super::color::VISIBLE_NM;
 use super::media::NamedMedium;
 use super::{Complex, RGB_WAVELENGTHS_NM};
 use crate::error::Error;
+use crate::num::{F64x4, Real};
 
 /// The range of eta that a caller may give. The least value is far below that of any metal and keeps the
 /// permittivity away from 0, where p-polarised fields are unbounded.
@@ -94,25 +95,50 @@ impl Medium {
 
     /// The complex index at a vacuum wavelength, nm.
     pub fn index(&self, wavelength_nm: f64) -> Complex<f64> {
+        self.index_with(wavelength_nm, |lambda_nm, index| {
+            look_up(lambda_nm, index, wavelength_nm)
+        })
+    }
+
+    /// The complex index at a vacuum wavelength (nm) in each lane: formulas are evaluated in all lanes at once.
+    #[inline(always)]
+    pub(crate) fn index_lanes(&self, wavelength_nm: F64x4) -> Complex<F64x4> {
+        self.index_with(
+            wavelength_nm,
+            #[inline(always)]
+            |lambda_nm: &[f64], index: &[Complex<f64>]| {
+                let nm = wavelength_nm.to_array();
+                let [mut re, mut im] = [[0.0; F64x4::COUNT]; 2];
+                for lane in 0..F64x4::COUNT {
+                    let found = look_up(lambda_nm, index, nm[lane]);
+                    (re[lane], im[lane]) = (found.re, found.im);
+                }
+                Complex::new(
+                    F64x4::from_fn(|lane| re[lane]),
+                    F64x4::from_fn(|lane| im[lane]),
+                )
+            },
+        )
+    }
+
+    #[inline(always)]
+    fn index_with<T: Real>(
+        &self,
+        wavelength_nm: T,
+        look_up: impl FnOnce(&[f64], &[Complex<f64>]) -> Complex<T>,
+    ) -> Complex<T> {
         match &self.0 {
             Kind::Named(named) => named.index(wavelength_nm),
-            Kind::Rgb(index) => {
-                let [u0, u1, u2] = RGB_WAVELENGTHS_NM.map(inverse_square);
-                let u = inverse_square(wavelength_nm);
-                if u < u1 {
-                    mix(index[0], index[1], (u - u0) / (u1 - u0))
-                } else {
-                    mix(index[1], index[2], (u - u1) / (u2 - u1))
-                }
+            Kind::Rgb([a, b, c]) if a == b && b == c => constant(*a),
+            Kind::Rgb([a, b, c]) => {
+                let [u0, u1, u2] = RGB_INVERSE_SQUARES;
+                let u = T::new(1.0) / wavelength_nm.squared();
+                let (a, b, c) = (constant(*a), constant(*b), constant(*c));
+                let below = (u - T::new(u0)) * T::new(1.0 / (u1 - u0));
+                let above = (u - T::new(u1)) * T::new(1.0 / (u2 - u1));
+                Complex::select(u.lt(T::new(u1)), mix(a, b, below), mix(b, c, above))
             }
-            Kind::Table { lambda_nm, index } => {
-                let above = lambda_nm.partition_point(|&nm| nm <= wavelength_nm);
-                let (Some(below), true) = (above.checked_sub(1), above < index.len()) else {
-                    return index[above.min(index.len() - 1)];
-                };
-                let t = (wavelength_nm - lambda_nm[below]) / (lambda_nm[above] - lambda_nm[below]);
-                mix(index[below], index[above], t)
-            }
+            Kind::Table { lambda_nm, index } => look_up(lambda_nm, index),
         }
     }
 
@@ -202,13 +228,35 @@ fn check(name: &str, values: &[f64], [min, max]: [f64; 2]) -> Result<(), Error> 
     )))
 }
 
-fn inverse_square(wavelength_nm: f64) -> f64 {
-    1.0 / (wavelength_nm * wavelength_nm)
+/// Linear between the wavelengths of a table, constant outside.
+fn look_up(lambda_nm: &[f64], index: &[Complex<f64>], wavelength_nm: f64) -> Complex<f64> {
+    let above = lambda_nm.partition_point(|&nm| nm <= wavelength_nm);
+    let (Some(below), true) = (above.checked_sub(1), above < index.len()) else {
+        return index[above.min(index.len() - 1)];
+    };
+    let t = (wavelength_nm - lambda_nm[below]) / (lambda_nm[above] - lambda_nm[below]);
+    mix(index[below], index[above], t)
+}
+
+/// 1 / lambda^2 of [`RGB_WAVELENGTHS_NM`].
+const RGB_INVERSE_SQUARES: [f64; 3] = {
+    let [red, green, blue] = RGB_WAVELENGTHS_NM;
+    [
+        1.0 / (red * red),
+        1.0 / (green * green),
+        1.0 / (blue * blue),
+    ]
+};
+
+#[inline(always)]
+fn constant<T: Real>(index: Complex<f64>) -> Complex<T> {
+    Complex::new(T::new(index.re), T::new(index.im))
 }
 
 /// a + (b - a) t with t clamped to [0, 1]; exactly a for a = b.
-fn mix(a: Complex<f64>, b: Complex<f64>, t: f64) -> Complex<f64> {
-    a + (b - a).scaled(t.clamp(0.0, 1.0))
+#[inline(always)]
+fn mix<T: Real>(a: Complex<T>, b: Complex<T>, t: T) -> Complex<T> {
+    a + (b - a).scaled(t.max(T::new(0.0)).min(T::new(1.0)))
 }
 
 fn all_equal(index: &[Complex<f64>]) -> Option<Complex<f64>> {

@@ -1,6 +1,7 @@
 //! Optics: one interface (Fresnel reflectance, refraction), media and their complex indices, stacks of
 //! layers by wave optics, and colours from spectra.
 
+mod amplitudes;
 mod color;
 mod complex;
 mod conductor;
@@ -15,6 +16,8 @@ mod spectral_sums;
 pub mod stack;
 mod waves;
 
+pub use amplitudes::Amplitudes;
+pub(crate) use amplitudes::Propagation;
 pub use color::{ChannelWeights, ColorSpace, VISIBLE_NM, White, matching_functions};
 pub use complex::Complex;
 pub use conductor::ConductorPolynomial;

@@ -177,18 +177,18 @@ fn cross<T: Real<Mask = bool>>(
 /// The tangential fields of one polarisation, up to a common factor.
 #[derive(Clone, Copy, Debug)]
 pub struct Fields<T> {
-    u: Complex<T>,
-    v: Complex<T>,
+    pub(super) u: Complex<T>,
+    pub(super) v: Complex<T>,
     /// The product of |E| over the layers crossed, times the square of `scale`.
-    weight: T,
+    pub(super) weight: T,
     /// The product of all factors that the fields were scaled by.
     scale: T,
 }
 
 /// R, T and w0 V + U of one polarisation.
-struct End<T> {
-    reflectance: T,
-    transmittance: T,
+pub(super) struct End<T> {
+    pub(super) reflectance: T,
+    pub(super) transmittance: T,
     pole: Complex<T>,
 }
 
@@ -242,7 +242,7 @@ impl<T: Real> Fields<T> {
     /// R at the surface of the near half-space with the immittance `near`, and T into the far half-space
     /// with the immittance `far`.
     #[inline(always)]
-    fn meet(&self, near: T, far: Complex<T>) -> End<T> {
+    pub(super) fn meet(&self, near: T, far: Complex<T>) -> End<T> {
         let (zero, one) = (T::new(0.0), T::new(1.0));
         let incident = self.v.scaled(near) + self.u;
         let reflected = self.v.scaled(near) - self.u;

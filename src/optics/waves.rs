@@ -51,8 +51,19 @@ impl<T: Real> Incidence<T> {
         let difference = (index - near) * (index + near);
         let q_squared = difference + Complex::real(self.normal.squared());
         let is_near = index.equals(near);
+        let (re, zero) = (q_squared.re, T::new(0.0));
+        // Without absorption the root is real or imaginary: the same number in a third of the time.
+        let root = if (!q_squared.im.equals(zero)).any() {
+            q_squared.sqrt_upper()
+        } else {
+            let (root, is_beyond) = (re.abs().sqrt(), re.lt(zero));
+            Complex::new(
+                T::select(is_beyond, zero, root),
+                T::select(is_beyond, root, zero),
+            )
+        };
         // The root of a square may be off by an ulp, and the square may underflow.
-        let q = Complex::select(is_near, Complex::real(self.normal), q_squared.sqrt_upper());
+        let q = Complex::select(is_near, Complex::real(self.normal), root);
         let ratio = q * (index * index).inverse();
         let near_ratio = Complex::real(self.normal_over_permittivity);
         Wave {
@@ -65,7 +76,7 @@ impl<T: Real> Incidence<T> {
 /// A plane wave in one medium.
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<T> {
-    index: Complex<T>,
+    pub(super) index: Complex<T>,
     /// w for s and p; for s it is q itself.
     pub immittance: [Complex<T>; 2],
 }
@@ -73,6 +84,8 @@ pub struct Wave<T> {
 /// c, s and s / q of a layer, with E = exp(2 i q d 2 pi / lambda).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing<T> {
+    /// sqrt(E / |E|): the phase that a wave gains on one crossing.
+    pub phase: Complex<T>,
     /// (1 + E) / 2.
     pub cosine: Complex<T>,
     /// (1 - E) / 2.
@@ -98,6 +111,7 @@ impl<T: Real> Crossing<T> {
         let safe = Complex::select(is_critical, Complex::real(one), q);
         let limit = Complex::new(T::new(0.0), -(thickness * T::new(2.0 * PI)));
         Self {
+            phase: Complex::new(cos, sin),
             cosine: Complex::real(one) - sine,
             sine,
             sine_over_q: Complex::select(is_critical, limit, sine * safe.inverse()),
@@ -123,6 +137,8 @@ pub struct Slab<T> {
     forth: [Complex<T>; 2],
     /// s / w for s and p.
     back: [Complex<T>; 2],
+    /// sqrt(E / |E|).
+    pub(super) phase: Complex<T>,
     /// |E|, the factor of the power on a crossing.
     pub(crate) decay: T,
 }
@@ -155,6 +171,7 @@ impl<T: Real> Slab<T> {
         let crossing = Crossing::new(wave.immittance[S], thickness);
         let permittivity = wave.index * wave.index;
         Self {
+            phase: crossing.phase,
             cosine: crossing.cosine,
             forth: [
                 wave.immittance[S] * crossing.sine,

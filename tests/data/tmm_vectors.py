@@ -1,5 +1,5 @@
-"""Prints tests/data/tmm_vectors.csv, for tests/optics/vectors.rs: R and T of layer stacks by the package tmm 0.2.0
-(S. Byrnes), and colours from those with the CIE 1931 1 nm table.
+"""Prints tests/data/tmm_vectors.csv, for tests/optics/vectors.rs and tests/films/amplitudes.rs: R, T and complex
+amplitudes of layer stacks by the package tmm 0.2.0 (S. Byrnes), and colours from those with the CIE 1931 1 nm table.
 
     python3 -m venv tmmenv && tmmenv/bin/pip install tmm==0.2.0 numpy
     tmmenv/bin/python tests/data/tmm_vectors.py > tests/data/tmm_vectors.csv
@@ -46,14 +46,19 @@ COSINES = [1.0, 0.7, 0.3, 0.05, 0.002]
 WAVELENGTHS = [400.0, 645.0]
 
 
-def response(stack, cosine, nm, from_base=False):
+def solved(stack, cosine, nm, from_base=False):
+    """tmm's results for s and p."""
     _, ambient, layers, base = stack
     n = [ambient] + [index for index, _ in layers] + [base]
     d = [np.inf] + [thickness for _, thickness in layers] + [np.inf]
     if from_base:
         n, d = n[::-1], d[::-1]
     with contextlib.redirect_stdout(sys.stderr):  # tmm prints a warning about opaque layers
-        found = [coh_tmm(pol, n, d, np.arccos(cosine), nm) for pol in "sp"]
+        return [coh_tmm(pol, n, d, np.arccos(cosine), nm) for pol in "sp"]
+
+
+def response(*arguments):
+    found = solved(*arguments)
     return [result[key] for key in "RT" for result in found]
 
 
@@ -72,13 +77,23 @@ def print_vectors():
                 print(f"{stack[0]},base,500.0,{cosine},{numbers}")
 
 
+def print_amplitudes():
+    print("# amplitudes: stack, side, wavelength (nm), cosine, real and imaginary part of r_s, r_p, t_s, t_p")
+    for stack in STACKS:
+        for from_base in [False] + [True] * (np.imag(stack[3]) == 0):
+            for cosine in COSINES[:4]:
+                found = solved(stack, cosine, 500.0, from_base)
+                numbers = [part for key in "rt" for result in found for part in (result[key].real, result[key].imag)]
+                numbers = ",".join(f"{x:.15e}" for x in numbers)
+                print(f"{stack[0]},{'base' if from_base else 'ambient'},500.0,{cosine},{numbers}")
+
+
 def chebyshev(name, quantity, nm):
     """A series of the table of media; numpy evaluates it."""
     text = (HERE / "../../src/optics/media.rs").read_text()
-    part = text[text.index(f'name: "{name}"'):]
-    part = part[:part.index("formula") + part[part.index("formula"):].index("},")]
-    found = re.search(rf"\b{quantity}: &\[([^\]]*)\]", part[part.index("Chebyshev"):])
-    numbers = [float(x) for x in found.group(1).replace("\n", " ").split(",") if x.strip()]
+    part = text[text.index(f'fitted("{name}"'):].split("),\n    ")[0]
+    lists = re.findall(r"&\[([^\]]*)\]", part)[1:]  # the first has other names
+    numbers = [float(x) for x in lists["eta k".split().index(quantity)].split(",") if x.strip()]
     return np.polynomial.chebyshev.chebval((nm - 580) / 200, numbers) if numbers else 0.0
 
 
@@ -120,4 +135,5 @@ def print_colors():
 
 
 print_vectors()
+print_amplitudes()
 print_colors()

@@ -2,6 +2,7 @@
 
 mod absorbing_base;
 mod accuracy;
+mod amplitudes;
 mod bsdf;
 mod bsdf_create;
 mod bsdf_directions;

@@ -24,6 +24,17 @@ fn named_media_have_their_published_indices() {
         ("TiO2", 589.3, 2.6124, 0.0151 + 1e-3), // DeVore 1951
         ("Au", 579.4, 0.29, 0.0456),            // Johnson and Christy 1972, 2.14 eV
         ("Si", 563.6, 4.042, 0.0454),           // Aspnes and Studna 1983, 2.2 eV
+        ("a-TiO2", 587.56, 2.42869, 1e-4),      // Jolivet 2023, table, interpolated
+        ("Ta2O5", 588.0, 2.1461, 1e-4),         // Gao et al. 2012, table
+        ("Nb2O5", 590.0, 2.3393, 2e-4),         // Lemarchand 2013, table
+        ("Si3N4", 632.8, 2.0394, 1e-4),         // Luke 2015, formula, evaluated by numpy
+        ("Si3N4", 587.56, 2.0167, 0.035),       // Philipp 1973, another sample
+        ("ZnS", 589.3, 2.3677, 1e-3),           // Debenham 1984, another sample
+        ("ITO", 587.56, 1.82701, 1e-4),         // König 2014, table, interpolated
+        ("polystyrene", 587.56, 1.592, 1e-3),   // Sultanova et al. 2009, table
+        ("SF11", 587.56, 1.78472, 1e-5),        // the data sheet's n_d
+        ("SF11", 486.13, 1.80645, 1e-5),        // ... n_F
+        ("SF11", 656.27, 1.77599, 1e-5),        // ... n_C
     ];
     for (name, nm, expected, tolerance) in published {
         let found = eta(name, nm);
@@ -34,6 +45,21 @@ fn named_media_have_their_published_indices() {
     }
     let gold = Medium::named("gold").unwrap().index(579.4);
     assert!((gold.im - 2.863).abs() < 0.0357, "{gold:?}");
+    // The tables of the same sources, k.
+    for (name, nm, expected, tolerance) in [
+        ("a-TiO2", 587.56, 0.0, 0.0),
+        ("Ta2O5", 400.0, 3.27e-4, 1e-5),
+        ("Nb2O5", 400.0, 1.046e-3, 3.5e-5),
+        ("ZnS", 400.0, 1.92e-3, 4e-5),
+        ("ITO", 587.56, 3.10e-3, 3e-5),
+        ("SF11", 587.56, 0.0, 0.0),
+    ] {
+        let found = Medium::named(name).unwrap().index(nm).im;
+        assert!(
+            (found - expected).abs() <= tolerance,
+            "{name} at {nm} nm: k = {found}"
+        );
+    }
     // ISO 8036 also wants an Abbe number v_e = 44 +- 3.
     let abbe = (eta("oil", 546.07) - 1.0) / (eta("oil", 479.99) - eta("oil", 643.85));
     assert!((abbe - 44.0).abs() < 3.0, "{abbe}");

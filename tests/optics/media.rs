@@ -62,14 +62,29 @@ fn table_of_metals() -> String {
 }
 
 fn table_of_media() -> String {
-    let mut text = String::from("| name | also | absorbs | source |\n|---|---|---|---|\n");
+    let mut text = String::from(
+        "| name | also | n at 587.6 nm | k there | greatest k | source |\n|---|---|---|---|---|---|\n",
+    );
     for named in NamedMedium::all() {
-        let absorbs = if named.absorbs() { "yes" } else { "" };
         let aliases = named.aliases.join(", ");
+        let extinction = |k: f64| match k {
+            0.0 => String::new(),
+            k if k < 1e-6 => "< 1e-6".into(),
+            k if k < 0.01 => format!("{k:.1e}"),
+            k => format!("{k:.2}"),
+        };
+        let [min, max] = named.range_nm().map(|nm| nm.clamp(380.0, 780.0));
+        let greatest = (0..=400).map(|i| min + (max - min) * f64::from(i) / 400.0);
+        let greatest = greatest.map(|nm| named.index(nm).im).fold(0.0, f64::max);
+        let at = named.index(587.56);
         writeln!(
             text,
-            "| {} | {aliases} | {absorbs} | {} |",
-            named.name, named.source
+            "| {} | {aliases} | {:.4} | {} | {} | {} |",
+            named.name,
+            at.re,
+            extinction(at.im),
+            extinction(greatest),
+            named.source
         )
         .unwrap();
     }

@@ -1,8 +1,9 @@
 //! Layers and colours against numbers made by other people's code: `tests/data/tmm_vectors.csv`,
 //! written by `tests/data/tmm_vectors.py` (the Python package tmm 0.2.0; how to run it is there).
 
+use pellicle::film::{Film, FilmDescription};
 use pellicle::optics::stack::{Layer, P, S, Side, Stack};
-use pellicle::optics::{ColorSpace, Complex, Medium, Reference, White};
+use pellicle::optics::{Amplitudes, ColorSpace, Complex, Medium, Reference, White};
 
 type Index = Complex<f64>;
 
@@ -127,6 +128,65 @@ fn reflectance_and_transmittance_agree_with_tmm() {
     );
     assert!(count > 700, "only {count} numbers were compared");
     assert!(worst.0 < 2e-12, "{worst:?}");
+}
+
+/// The film of a stack, which the reference evaluates: nothing is compiled.
+fn film_of(name: &str) -> Film {
+    let (ambient, layers, base) = stack(name);
+    let constant = |index: Index| Medium::rgb([index.re; 3], [index.im; 3]).unwrap();
+    let mut description = FilmDescription {
+        ambient: constant(index(ambient, 0.0)),
+        method: Some("reference".into()),
+        ..FilmDescription::new(constant(base))
+    };
+    for layer in layers {
+        description = description.layer(constant(layer.index), [layer.thickness_nm; 2]);
+    }
+    Film::new(&description).unwrap()
+}
+
+/// Signs, phases and the time convention are tmm's. The error is that of the lanes' sine and cosine, 1e-11,
+/// which resonances magnify.
+#[test]
+fn amplitudes_agree_with_tmm() {
+    let mut worst = (0.0, String::new());
+    let mut film = (String::new(), None);
+    let mut count = 0;
+    for fields in lines("# amplitudes") {
+        if film.0 != fields[0] {
+            film = (fields[0].to_owned(), Some(film_of(fields[0])));
+        }
+        let side = if fields[1] == "base" {
+            Side::Base
+        } else {
+            Side::Ambient
+        };
+        let mut found = [Amplitudes::default(); 3];
+        let nm = number(fields[2]);
+        let wavelengths = [nm + 1.0, nm, nm - 2.0];
+        let film = film.1.as_ref().unwrap();
+        film.amplitudes(side, number(fields[3]), 0.0, &wavelengths, &mut found)
+            .unwrap();
+        let Amplitudes {
+            reflection: [r_s, r_p],
+            transmission: [t_s, t_p],
+        } = found[1];
+        let parts = [r_s, r_p, t_s, t_p].map(|value| [value.re, value.im]);
+        for (found, expected) in parts.as_flattened().iter().zip(&fields[4..]) {
+            let error = (found - number(expected)).abs();
+            assert!(!error.is_nan(), "{fields:?}");
+            if error > worst.0 {
+                worst = (error, format!("{fields:?}"));
+            }
+            count += 1;
+        }
+    }
+    println!(
+        "greatest error of {count} numbers: {:.2e} at {}",
+        worst.0, worst.1
+    );
+    assert!(count > 800, "only {count} numbers were compared");
+    assert!(worst.0 < 1e-9, "{worst:?}");
 }
 
 #[test]

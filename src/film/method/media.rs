@@ -133,7 +133,7 @@ pub(super) fn pack_media<T: Lane>(media: [MediaAtWavelength<f64>; 3]) -> MediaAt
 
 /// The amplitudes of the two interfaces for one polarisation, and the powers that they let pass.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Amplitudes<R> {
+pub(super) struct InterfaceAmplitudes<R> {
     /// r01.
     pub(super) top: Complex<R>,
     /// r12.
@@ -145,7 +145,7 @@ pub(super) struct Amplitudes<R> {
     pub(super) bottom_loss: R,
 }
 
-/// The geometric series of all beams of one polarisation: [`Amplitudes`] with the loss 1 - |E| of a
+/// The geometric series of all beams of one polarisation: [`InterfaceAmplitudes`] with the loss 1 - |E| of a
 /// round trip.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BeamSeries<R> {
@@ -159,7 +159,7 @@ pub(super) struct BeamSeries<R> {
     pub(super) g_loss: R,
 }
 
-impl<R: Real> Amplitudes<R> {
+impl<R: Real> InterfaceAmplitudes<R> {
     /// The series for the loss of a round trip.
     #[inline(always)]
     pub(super) fn series(&self, loss: R) -> BeamSeries<R> {
@@ -200,7 +200,7 @@ fn safe_inverse<R: Real>(b: Complex<R>) -> Complex<R> {
 impl<R: Real> Waves<R> {
     /// The Fresnel amplitudes of the tangential fields: r = (w - w') / (w + w').
     #[inline(always)]
-    pub(super) fn amplitudes(&self, pol: usize) -> Amplitudes<R> {
+    pub(super) fn amplitudes(&self, pol: usize) -> InterfaceAmplitudes<R> {
         let (near, film, base) = (
             Complex::real(self.near[pol]),
             self.film[pol],
@@ -210,7 +210,7 @@ impl<R: Real> Waves<R> {
         let above = safe_inverse(near + film);
         let below = safe_inverse(film + base);
         let overlap = film.re * base.re + film.im * base.im;
-        Amplitudes {
+        InterfaceAmplitudes {
             top: (near - film) * above,
             bottom: (film - base) * below,
             crossing: (film * above * above).scaled(four * self.near[pol]),
