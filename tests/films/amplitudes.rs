@@ -16,6 +16,7 @@ fn film(description: FilmDescription) -> Film {
     let method = Some("reference".into());
     Film::new(&FilmDescription {
         method,
+        extrapolate: true,
         ..description
     })
     .unwrap()

@@ -112,7 +112,7 @@ struct PatchFit<'a> {
 impl PatchFit<'_> {
     /// Fits one patch to a rectangle, or halves it. Returns whether the limits are met.
     fn divide(&mut self, from: [f64; 2], to: [f64; 2]) -> Result<bool, Error> {
-        if self.patches.len() + VALUES * VALUES > self.limits.size {
+        if (self.patches.patches.len() + 1) * ROW * ROW > self.limits.size {
             return Ok(false);
         }
         let extent = [to[0] - from[0], to[1] - from[1]];
