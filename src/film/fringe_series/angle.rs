@@ -160,8 +160,8 @@ impl StackAtAngle {
         denominators.into_iter().all(|z| {
             let [re, im] = [z.re.to_array(), z.im.to_array()];
             (1..F64x4::COUNT).all(|i| {
-                let change = (re[i] - re[i - 1]).hypot(im[i] - im[i - 1]);
-                let [a, b] = [i - 1, i].map(|i| re[i].hypot(im[i]));
+                let change = (re[i] - re[i - 1]).powi(2) + (im[i] - im[i - 1]).powi(2);
+                let [a, b] = [i - 1, i].map(|i| re[i].powi(2) + im[i].powi(2));
                 // NaN, where a scale has overflowed, counts as resolved.
                 let is_narrow = change > a.min(b);
                 !is_narrow

@@ -1,15 +1,15 @@
 //! The series of fringes: a stack at N wavenumbers.
 
-use super::angle::{ChannelSums, StackAtAngle, Truncation};
+use super::angle::{ChannelSums, StackAtAngle, Truncation, Wavenumbers};
 use super::branch::branches;
 use super::spectrum::Spectrum;
 use super::terms::StackMedia;
 use crate::error::Error;
 use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;
-use crate::num::widest;
+use crate::num::{F64x4, widest};
 use crate::optics::stack::{Incidence, S, Side};
-use crate::optics::{ChannelWeights, Medium};
+use crate::optics::{ChannelWeights, Complex, Medium};
 use std::borrow::Cow;
 
 /// The greatest ratio of a medium's group index and its index.
@@ -162,8 +162,7 @@ impl FringeSeries {
     /// measured in the half-space that the light comes from. It allocates at branch points alone.
     pub(in crate::film) fn at(&self, side: Side, cos_theta: f64, thickness_nm: f64) -> Colors<f64> {
         let cos_theta = cos_theta.max(LEAST_COSINE);
-        if let Some(spectrum) = self.between_branches(side, cos_theta) {
-            let at_angle = self.with_spectrum(side, cos_theta, Cow::Owned(spectrum));
+        if let Some(at_angle) = self.with_own_spectrum(side, cos_theta) {
             return at_angle.at(thickness_nm);
         }
         let thickness_nm = self.fixed_nm.unwrap_or(thickness_nm);
@@ -175,14 +174,16 @@ impl FringeSeries {
         let mut sums = ChannelSums::default();
         if self.is_uniform {
             let mut stack = [StackAtAngle::default()];
-            self.fill(spectrum, &mut stack, 0, side, cos_theta);
+            let (wavenumbers, indices) = (&spectrum.wavenumbers, &spectrum.indices);
+            self.fill(&mut stack, wavenumbers, indices, side, cos_theta);
             sums.add_all(&stack, &spectrum.wavenumbers, thickness_nm, truncation);
             return self.colors(&sums);
         }
         let mut stacks = [StackAtAngle::default(); BLOCK];
-        for (block, wavenumbers) in spectrum.wavenumbers.chunks(BLOCK).enumerate() {
+        let blocks = spectrum.indices.chunks(BLOCK * self.media.len());
+        for (wavenumbers, indices) in spectrum.wavenumbers.chunks(BLOCK).zip(blocks) {
             let stacks = &mut stacks[..wavenumbers.len()];
-            self.fill(spectrum, stacks, block * BLOCK, side, cos_theta);
+            self.fill(stacks, wavenumbers, indices, side, cos_theta);
             sums.add_all(stacks, wavenumbers, thickness_nm, truncation);
         }
         self.colors(&sums)
@@ -206,94 +207,96 @@ impl FringeSeries {
     /// comes from.
     pub(in crate::film) fn at_angle(&self, side: Side, cos_theta: f64) -> SeriesAtAngle<'_> {
         let cos_theta = cos_theta.max(LEAST_COSINE);
-        let spectrum = self
-            .between_branches(side, cos_theta)
-            .map_or(Cow::Borrowed(&self.spectrum), Cow::Owned);
-        self.with_spectrum(side, cos_theta, spectrum)
-    }
-
-    fn with_spectrum<'a>(
-        &'a self,
-        side: Side,
-        cos_theta: f64,
-        spectrum: Cow<'a, Spectrum>,
-    ) -> SeriesAtAngle<'a> {
+        if let Some(at_angle) = self.with_own_spectrum(side, cos_theta) {
+            return at_angle;
+        }
+        let spectrum = &self.spectrum;
         let count = if self.is_uniform {
             1
         } else {
             spectrum.wavenumbers.len()
         };
         let mut stacks = vec![StackAtAngle::default(); count];
-        self.fill(&spectrum, &mut stacks, 0, side, cos_theta);
+        let (wavenumbers, indices) = (&spectrum.wavenumbers, &spectrum.indices);
+        self.fill(&mut stacks, wavenumbers, indices, side, cos_theta);
         SeriesAtAngle {
             series: self,
-            path: self.path(&spectrum, side, cos_theta),
-            spectrum,
+            path: self.path(spectrum, side, cos_theta),
+            spectrum: Cow::Borrowed(spectrum),
             stacks,
         }
     }
 
-    /// The wavenumbers at a cosine with branch points; `None` if there are none, or if there is no memory for them.
-    fn between_branches(&self, side: Side, cos_theta: f64) -> Option<Spectrum> {
+    /// The series with wavenumbers chosen for an angle; `None` if those of all angles do, or if there is no memory.
+    fn with_own_spectrum(&self, side: Side, cos_theta: f64) -> Option<SeriesAtAngle<'_>> {
         let branches = if self.has_branches {
             branches(&self.media, &self.spectrum, side, cos_theta)
         } else {
             Vec::new()
         };
-        let count = self.spectrum.count;
-        if self.is_graded {
-            return Some(Spectrum::in_cells(
+        let mut stacks = Vec::new();
+        let spectrum = if self.is_graded {
+            Spectrum::in_cells(
                 &self.media,
                 &self.weights,
                 [&branches, &self.bends],
-                count,
-                |wavenumbers, indices| {
+                self.spectrum.count,
+                |wavenumbers, indices, is_least| {
+                    let mut stack = [StackAtAngle::default()];
+                    let wavenumbers = std::slice::from_ref(wavenumbers);
+                    self.fill(&mut stack, wavenumbers, indices, side, cos_theta);
+                    let is_used = is_least || stack[0].is_resolved();
+                    if is_used {
+                        stacks.extend(stack);
+                    }
+                    is_used
+                },
+            )
+        } else if branches.is_empty() {
+            return None;
+        } else {
+            let (media, weights) = (&self.media, &self.weights);
+            let count = self.spectrum.count;
+            let spectrum = Spectrum::between_branches(media, weights, &branches, count).ok()?;
+            stacks.resize(spectrum.wavenumbers.len(), StackAtAngle::default());
+            let (wavenumbers, indices) = (&spectrum.wavenumbers, &spectrum.indices);
+            self.fill(&mut stacks, wavenumbers, indices, side, cos_theta);
+            spectrum
+        };
+        Some(SeriesAtAngle {
+            series: self,
+            path: self.path(&spectrum, side, cos_theta),
+            spectrum: Cow::Owned(spectrum),
+            stacks,
+        })
+    }
+
+    /// Fills in the stacks at entries of a spectrum. Its loop is compiled here alone, because it is long: 37 kB with
+    /// and without AVX2, which each of its callers would hold.
+    #[inline(never)]
+    fn fill(
+        &self,
+        stacks: &mut [StackAtAngle],
+        wavenumbers: &[Wavenumbers],
+        indices: &[Complex<F64x4>],
+        side: Side,
+        cos_theta: f64,
+    ) {
+        let entries = wavenumbers.iter().zip(indices.chunks(self.media.len()));
+        widest(
+            #[inline(always)]
+            || {
+                for (stack, (wavenumbers, indices)) in stacks.iter_mut().zip(entries) {
                     let media = StackMedia {
                         side,
                         indices,
                         ranges: &self.ranges,
                         summed: self.summed,
                     };
-                    StackAtAngle::new(media, cos_theta, wavenumbers.sigma).is_resolved()
-                },
-            ));
-        }
-        if branches.is_empty() {
-            return None;
-        }
-        Spectrum::between_branches(&self.media, &self.weights, &branches, count).ok()
-    }
-
-    /// Fills in the stacks of entries of `wavenumbers` from `first` on. Its loop is compiled here alone, because
-    /// it is long: 37 kB with and without AVX2, which each of its callers would hold.
-    #[inline(never)]
-    fn fill(
-        &self,
-        spectrum: &Spectrum,
-        stacks: &mut [StackAtAngle],
-        first: usize,
-        side: Side,
-        cos_theta: f64,
-    ) {
-        widest(
-            #[inline(always)]
-            || {
-                for (i, stack) in stacks.iter_mut().enumerate() {
-                    *stack = self.stack(spectrum, first + i, side, cos_theta);
+                    *stack = StackAtAngle::new(media, cos_theta, wavenumbers.sigma);
                 }
             },
         );
-    }
-
-    #[inline(always)]
-    fn stack(&self, spectrum: &Spectrum, part: usize, side: Side, cos_theta: f64) -> StackAtAngle {
-        let media = StackMedia {
-            side,
-            indices: spectrum.indices_at(part, self.media.len()),
-            ranges: &self.ranges,
-            summed: self.summed,
-        };
-        StackAtAngle::new(media, cos_theta, spectrum.wavenumbers[part].sigma)
     }
 
     /// The path of the fringes per nm of thickness: the derivative of the phase of a round trip, in turns,

@@ -152,7 +152,8 @@ impl Spectrum {
         Self::of_nodes(media, &nodes, spacing)
     }
 
-    /// Cells of four wavenumbers each, by Gauss and Legendre's rule, halved until `is_resolved` says yes. At branch
+    /// Cells of four wavenumbers each, by Gauss and Legendre's rule, halved until `is_used` says yes, which also learns
+    /// whether a cell is too small to be halved. At branch
     /// points the rule is over the root of the distance, and where an index bends cells end. `count` is half the number
     /// of cells before the halving.
     pub fn in_cells(
@@ -160,7 +161,7 @@ impl Spectrum {
         weights: &ChannelWeights,
         [branches, bends]: [&[f64]; 2],
         count: usize,
-        mut is_resolved: impl FnMut(&Wavenumbers, &[Complex<F64x4>]) -> bool,
+        mut is_used: impl FnMut(&Wavenumbers, &[Complex<F64x4>], bool) -> bool,
     ) -> Self {
         let [first, last] = [VISIBLE_NM[1], VISIBLE_NM[0]].map(|nm| 1.0 / nm);
         let width = 2.0 * (last - first) / count as f64;
@@ -219,9 +220,8 @@ impl Spectrum {
                         )
                     })
                     .collect();
-                if cell.width.abs() > LEAST_CELL * (last - first)
-                    && !is_resolved(&wavenumbers, &indices)
-                {
+                let is_least = cell.width.abs() <= LEAST_CELL * (last - first);
+                if !is_used(&wavenumbers, &indices, is_least) {
                     waiting.extend(cell.halves());
                     continue;
                 }

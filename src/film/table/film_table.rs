@@ -14,6 +14,8 @@ use crate::num::{Lane, Rgb};
 /// The wavelength whose indices decide where total reflection begins and how fringes bend, nm: near the
 /// eye's greatest sensitivity.
 pub(super) const MIDDLE_NM: f64 = 550.0;
+/// The greatest number of values of one spline around critical angles: patches need fewer where it would need more.
+const MOST_WARPED: usize = 12_000;
 /// At smaller cosines than this, films thinner than [`LEAST_NM`] have no tolerance.
 const LEAST_VANISHING_COSINE: f64 = 1e-4;
 /// Below 1, so that thicknesses stay finite where light in the film goes along it.
@@ -74,7 +76,11 @@ impl FilmTable {
             }
         } else {
             let axis = CriticalAxis::new(&centres, tilt);
-            let warped = Warped::fit(description, source, axis, range, limits)?;
+            let smaller = FitLimits {
+                size: limits.size.min(MOST_WARPED),
+                ..limits
+            };
+            let warped = Warped::fit(description, source, axis, range, smaller)?;
             if let Some((warped, errors)) = warped {
                 return Ok(Some((Self::Warped(Box::new(warped)), errors)));
             }
