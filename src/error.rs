@@ -54,12 +54,26 @@ impl Error {
     /// `what` of ... bytes".
     pub(crate) fn reserve<T>(count: usize, what: &str) -> Result<Vec<T>, Self> {
         let mut vector = Vec::new();
-        vector.try_reserve_exact(count).map_err(|_| {
-            let bytes = count.saturating_mul(size_of::<T>());
-            let message = format!("no memory for {what} of {bytes} bytes");
-            Self::new(Status::OutOfMemory, message)
-        })?;
+        let reserved = vector.try_reserve_exact(count);
+        reserved.map_err(|_| Self::no_memory::<T>(count, what))?;
         Ok(vector)
+    }
+
+    /// Makes room for `more` elements in a vector, which may become longer still; otherwise as
+    /// [`Error::reserve`].
+    pub(crate) fn reserve_more<T>(
+        vector: &mut Vec<T>,
+        more: usize,
+        what: &str,
+    ) -> Result<(), Self> {
+        let reserved = vector.try_reserve(more);
+        reserved.map_err(|_| Self::no_memory::<T>(vector.len() + more, what))
+    }
+
+    fn no_memory<T>(count: usize, what: &str) -> Self {
+        let bytes = count.saturating_mul(size_of::<T>());
+        let message = format!("no memory for {what} of {bytes} bytes");
+        Self::new(Status::OutOfMemory, message)
     }
 
     /// An error with the message "unknown `kind` '`name`'; known: a, b, c".

@@ -150,6 +150,7 @@ impl PatchFit<'_> {
                 .nodes
                 .push(Node::Leaf(self.patches.patches.len()));
             self.patches.patches.push(patch);
+            Error::reserve_more(&mut self.patches.points, points.len(), "a film's table")?;
             self.patches.points.extend(points);
             return Ok(true);
         }

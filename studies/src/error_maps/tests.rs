@@ -38,12 +38,12 @@ fn films() -> Vec<Scene> {
     scenes.into_iter().filter(is_thin).collect()
 }
 
-/// What one scene's plans chose: (times a method of the atlas was chosen, times one fails somewhere).
-fn cross(scene: &Scene) -> [usize; 2] {
+/// Whether plans hold their tolerance over one scene and choose no method that fails there; how often one fails.
+fn cross(scene: &Scene) -> usize {
     let truth = scene.truth(CELLS).unwrap();
     let error = |kind: &Kind| greatest_error(Peer::Method(*kind), scene, &truth);
     let errors: Vec<(Kind, f64)> = kinds().iter().map(|kind| (*kind, error(kind))).collect();
-    let (mut chosen, mut failing) = (0, 0);
+    let mut failing = 0;
     for tolerance in TOLERANCES {
         let compiled = scene.compile(Peer::Planned(tolerance), scene.x.first);
         let Compiled::Film(film) = compiled else {
@@ -52,7 +52,6 @@ fn cross(scene: &Scene) -> [usize; 2] {
         for (kind, error) in &errors {
             let is_failing = *error > tolerance;
             failing += usize::from(is_failing);
-            chosen += usize::from(uses(&film, *kind));
             assert!(
                 !(is_failing && uses(&film, *kind)),
                 "{}: {kind:?} is off by {error:.1e} and chosen for {tolerance:e}: {:?}",
@@ -68,15 +67,14 @@ fn cross(scene: &Scene) -> [usize; 2] {
             film.plan()
         );
     }
-    [chosen, failing]
+    failing
 }
 
 #[test]
 fn plans_choose_no_method_where_the_atlas_shows_it_fail() {
-    let counts: Vec<[usize; 2]> = films().par_iter().map(cross).collect();
-    let [chosen, failing] = [0, 1].map(|i| counts.iter().map(|count| count[i]).sum::<usize>());
-    // Else nothing was tried: bands are chosen for a gap of air, and most methods fail on most films.
-    assert!(chosen >= 2 && failing >= 100, "{chosen} {failing}");
+    let failing: usize = films().par_iter().map(cross).sum();
+    // Else nothing was tried: most methods fail on most films.
+    assert!(failing >= 100, "{failing}");
 }
 
 /// Over indices and extinctions, where a film has one thickness.
@@ -148,7 +146,9 @@ fn critical_angles_hold_the_tolerance() {
         let Compiled::Film(compiled) = scene.compile(peer, scene.x.first) else {
             panic!("{ambient} {film} {base}: refused");
         };
-        assert_eq!(method_of(&compiled), "bands");
+        if let Peer::Forced(name, _) = peer {
+            assert_eq!(method_of(&compiled), name);
+        }
         let mut greatest = 0.0f64;
         for index in [film, base].into_iter().filter(|index| *index < ambient) {
             let critical = (1.0 - (index / ambient).powi(2)).sqrt() as f32;
