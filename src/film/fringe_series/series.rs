@@ -189,18 +189,19 @@ impl FringeSeries {
         self.colors(&sums)
     }
 
-    /// The colours of sums. Where nothing absorbs R is 1 - T, which is exact at resonances behind total reflection,
-    /// narrower than any distance of wavenumbers.
+    /// The colours of sums. Where nothing absorbs and little goes through, R is 1 - T: that is exact at resonances
+    /// behind total reflection, which are narrower than any distance of wavenumbers.
     #[inline(always)]
     fn colors(&self, sums: &ChannelSums) -> Colors<f64> {
-        let colors = sums.colors();
-        if !self.is_lossless {
-            return colors;
+        let mut colors = sums.colors();
+        if self.is_lossless {
+            for (r, t) in colors.reflectance.iter_mut().zip(colors.transmittance) {
+                if t < 0.5 {
+                    *r = 1.0 - t;
+                }
+            }
         }
-        Colors {
-            reflectance: colors.transmittance.map(|t| 1.0 - t),
-            ..colors
-        }
+        colors
     }
 
     /// The series at an angle, for any thickness. `cos_theta` is measured in the half-space that the light
