@@ -2,7 +2,7 @@
 # hand; it fails if a tool is missing that cannot be installed.
 
 # The quick ones first.
-STAGES=(symbols toolchains i686 macos wasm musl abi windows package aarch64 undefined address threads valgrind miri fuzz f32_vs_f64 random_bounds soak film_tolerance)
+STAGES=(symbols toolchains i686 macos wasm musl abi windows package aarch64 undefined address threads valgrind miri fuzz f32_vs_f64 random_bounds soak film_cliffs film_tolerance)
 
 check() {
     case "${1:-}" in

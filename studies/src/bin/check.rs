@@ -45,10 +45,13 @@ fn main() -> ExitCode {
         }
         "film_cliffs" => {
             let tolerance = arguments.tolerance.unwrap_or(2e-3);
+            let mut failures = Vec::new();
             for suite in film_cliffs::suites::suites() {
-                film_cliffs::report::print(suite.name, &film_cliffs::run(&suite, tolerance));
+                let outcomes = film_cliffs::run(&suite, tolerance);
+                film_cliffs::report::print(suite.name, &outcomes);
+                failures.extend(film_cliffs::report::failures(&suite, &outcomes));
             }
-            Vec::new()
+            failures
         }
         _ => film_tolerance(arguments),
     };

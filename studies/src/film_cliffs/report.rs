@@ -1,6 +1,7 @@
 //! Prints what was found.
 
 use super::Outcome;
+use super::suites::Suite;
 
 /// A call slower than this is a cliff, ns.
 pub const SLOW_NS: f64 = 1000.0;
@@ -44,6 +45,22 @@ pub fn print(name: &str, outcomes: &[Outcome]) {
         create[create.len() / 2],
         create[create.len() - 1]
     );
+}
+
+/// What makes the check fail: refused films, and more slow ones than a suite may have.
+pub fn failures(suite: &Suite, outcomes: &[Outcome]) -> Vec<String> {
+    let refused = outcomes.iter().filter_map(|outcome| {
+        let reason = outcome.film.as_ref().err()?;
+        Some(format!("{}: refused: {reason}", outcome.name))
+    });
+    let slow: Vec<&Outcome> = outcomes
+        .iter()
+        .filter(|outcome| outcome.is_slow())
+        .collect();
+    let is_too_slow = slow.len() > suite.may_be_slow;
+    let slow = slow.into_iter().filter(|_| is_too_slow);
+    let slow = slow.map(|outcome| format!("{}: calls are slower than {SLOW_NS} ns", outcome.name));
+    refused.chain(slow).collect()
 }
 
 impl Outcome {

@@ -9,6 +9,8 @@ pub struct Suite {
     pub name: &'static str,
     /// Name and description.
     pub films: Vec<(String, FilmDescription)>,
+    /// How many may have calls slower than [`SLOW_NS`](super::report::SLOW_NS).
+    pub may_be_slow: usize,
 }
 
 const RANDOM: usize = 40;
@@ -58,18 +60,23 @@ pub fn suites() -> Vec<Suite> {
         Suite {
             name: "random stacks, R only",
             films: random(false),
+            may_be_slow: 0,
         },
         Suite {
             name: "random stacks with T, constant transparent base",
             films: random(true),
+            // A stack with gaps of vacuum, whose resonances no series follows.
+            may_be_slow: 1,
         },
         Suite {
             name: "real coatings on real glass, with T",
             films: coatings(),
+            may_be_slow: 0,
         },
         Suite {
             name: "single films",
             films: single(),
+            may_be_slow: 0,
         },
     ]
 }
