@@ -51,6 +51,9 @@ pub fn run(settings: &Settings) -> Vec<Outcome> {
         let tolerances = settings.tolerances.iter();
         let found = tolerances.map(|tolerance| check(number, &stack, *tolerance, &points, &truth));
         let found: Vec<Outcome> = found.collect();
+        for film in found.iter().filter(|film| film.exceptions > 0) {
+            eprintln!("{}", report::line(settings.seed, film));
+        }
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
         progress.say(|| format!("{done} of {count} stacks"));
         found

@@ -102,26 +102,36 @@ fn print_worst(settings: &Settings, summary: &Summary) {
     println!("\n## Worst at {:e}\n", summary.promise.tolerance);
     let listed = summary.broken_films().clamp(LISTED[0], LISTED[1]);
     for film in summary.worst().into_iter().take(listed) {
-        let Some(worst) = &film.worst else { continue };
+        println!("- {}", line(settings.seed, film));
+    }
+}
+
+/// A film and its greatest error.
+pub fn line(seed: u64, film: &Outcome) -> String {
+    let stack = kind::stack(seed, film.number);
+    let mut line = format!(
+        "{:.3} tolerances of {:e}, {} points beyond of {}, method {}, stack {}, {}: `{stack}`",
+        film.ratio(),
+        film.tolerance,
+        film.exceptions,
+        film.points,
+        film.method,
+        film.number,
+        film.kind.name(),
+    );
+    if let Some(worst) = &film.worst {
         let Difference {
             what,
-            point,
+            point: [cosine, nm],
             found,
             truth,
             error,
         } = worst;
-        println!(
-            "- {:.3} tolerances, {} points beyond, method {}, stack {}: `{}`; {what} at cosine {}, \
-             {} nm: {found:?}, not {truth:?}; error {error:e}",
-            film.ratio(),
-            film.exceptions,
-            film.method,
-            film.number,
-            kind::stack(settings.seed, film.number),
-            point[0],
-            point[1]
+        line += &format!(
+            "; {what} at cosine {cosine}, {nm} nm: {found:?}, not {truth:?}; error {error:e}"
         );
     }
+    line
 }
 
 /// Films for which there is no fast method, and films that are refused.
