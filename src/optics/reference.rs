@@ -11,10 +11,15 @@
 //! The index of a medium that is given by a table bends at the table's wavelengths, however close they are. These
 //! end intervals of their own, each of which is divided for the fringes within it; a rule that is exact for parabolas
 //! then converges, because the index is linear between them.
+//!
+//! Where half-spaces disperse, the spectrum may have a square root: at the wavelength whose critical angle the light
+//! has. A step across it has an error that halving does not reveal, because its sign depends on where in the step the
+//! root lies. Intervals are therefore halved towards it until they are no wider than their distance from it, or so
+//! narrow that they do not matter.
 
 use super::color::{ChannelWeights, ColorSpace, VISIBLE_NM, White};
 use super::fringes::fringes;
-use super::spectral_grid::edges;
+use super::spectral_grid::{branches_nm, edges};
 use super::spectral_sums::{SpectrumNode, Sums};
 use super::stack::{Layer, P, Response, S, Side, Stack};
 use super::{Complex, Medium};
@@ -32,6 +37,8 @@ const STORED_PER_STEP: usize = 8;
 const MAX_LEVEL: u32 = 14;
 /// An interval narrower than this has less than 1e-7 of the weight of any channel.
 const MIN_WIDTH_NM: f64 = 5e-6;
+/// An interval of this width that has a square root in it has an error of less than 1e-6 of a channel.
+const BRANCH_WIDTH_NM: f64 = 2.5e-3;
 /// Halving stops after this number of samples (about a second).
 const MAX_SAMPLES: usize = 1 << 23;
 const SAMPLES_PER_FRINGE: f64 = 4.0;
@@ -172,6 +179,8 @@ struct Integration<'a> {
     layers: Vec<Layer<f64>>,
     /// Start and width of the resolved intervals, nm.
     intervals: Vec<(f64, f64)>,
+    /// Wavelengths at which the spectrum has a square root, nm.
+    branches: Vec<f64>,
     samples: usize,
 }
 
@@ -193,11 +202,14 @@ impl<'a> Integration<'a> {
             cos_theta,
             layers,
             intervals: Vec::new(),
+            branches: Vec::new(),
             samples: 0,
         }
     }
 
     fn converge(mut self) -> Converged {
+        self.find_branches();
+        let is_extrapolated = self.reference.edges.is_some() || !self.branches.is_empty();
         let mut sums = self.resolve();
         let mut colors = sums.colors();
         let mut parts = 1;
@@ -205,7 +217,7 @@ impl<'a> Integration<'a> {
             let midpoints = self.midpoints(parts);
             parts *= 2;
             let halved = sums.halved(&midpoints);
-            let finer = if self.reference.edges.is_some() {
+            let finer = if is_extrapolated {
                 halved.extrapolated(&sums).colors()
             } else {
                 halved.colors()
@@ -226,6 +238,24 @@ impl<'a> Integration<'a> {
         }
     }
 
+    fn find_branches(&mut self) {
+        let reference = self.reference;
+        let [near, far] = match self.side {
+            Side::Ambient => [&reference.ambient, &reference.base],
+            Side::Base => [&reference.base, &reference.ambient],
+        };
+        let stored = reference.stored.iter().enumerate().map(|(i, stored)| {
+            let indices = reference.indices_at(i);
+            let [ambient, base] = [indices[0], indices[indices.len() - 1]];
+            let near_and_far = match self.side {
+                Side::Ambient => [ambient, base],
+                Side::Base => [base, ambient],
+            };
+            (stored.wavelength_nm, near_and_far)
+        });
+        self.branches = branches_nm([near, far], self.cos_theta, stored);
+    }
+
     /// Finds the grid and the integrals by the trapezoid rule on it.
     fn resolve(&mut self) -> Sums {
         if let Some(edges) = &self.reference.edges {
@@ -243,7 +273,10 @@ impl<'a> Integration<'a> {
             .map(|(_, width)| *width)
             .fold(STEP_NM, f64::min);
         let finest = (STEP_NM / narrowest).log2() as u32;
-        if finest == level || STEPS << finest > UNIFORM_WITHIN * self.intervals.len() {
+        if finest == level
+            || !self.branches.is_empty()
+            || STEPS << finest > UNIFORM_WITHIN * self.intervals.len()
+        {
             return graded;
         }
         self.grid(finest, false)
@@ -302,8 +335,8 @@ impl<'a> Integration<'a> {
         self.intervals.push((start, width));
     }
 
-    /// Accepts an interval if the denominators change across it by less than their magnitude, and halves it
-    /// otherwise.
+    /// Accepts an interval if the denominators change across it by less than their magnitude and no branch point is
+    /// near, and halves it otherwise.
     fn divide(
         &mut self,
         start: f64,
@@ -318,7 +351,12 @@ impl<'a> Integration<'a> {
             let is_wide = (a - b).norm_squared() > a.norm_squared().min(b.norm_squared());
             !is_wide
         });
-        if is_resolved || width < MIN_WIDTH_NM || self.samples >= MAX_SAMPLES {
+        let is_near_branch = width > BRANCH_WIDTH_NM
+            && self.branches.iter().any(|branch| {
+                let distance = (start - branch).max(branch - (start + width));
+                distance < width
+            });
+        if (is_resolved && !is_near_branch) || width < MIN_WIDTH_NM || self.samples >= MAX_SAMPLES {
             self.accept(start, width, left, right, sums);
         } else {
             let half = 0.5 * width;

@@ -1,7 +1,7 @@
 //! Intervals of wavelength within which the indices of media are smooth, and means over them.
 
 use super::color::VISIBLE_NM;
-use super::{ChannelWeights, Medium};
+use super::{ChannelWeights, Complex, Medium};
 use crate::error::Error;
 use crate::num::{PI, Rgb};
 
@@ -25,6 +25,49 @@ pub(super) fn edges<'a>(
     edges.sort_unstable_by(f64::total_cmp);
     edges.dedup();
     Ok(edges)
+}
+
+/// Far half-spaces with a greater k have no critical angle: the root is smooth over tens of nanometres.
+const ROUNDED_K: f64 = 1e-2;
+/// Halvings of the interval around a branch point.
+const HALVINGS: usize = 40;
+
+/// The wavelengths (nm) at which light at a cosine in the near half-space begins to be reflected totally by the far one:
+/// between two neighbours of `stored`, which has ascending wavelengths with the indices of both.
+pub(super) fn branches_nm(
+    media: [&Medium; 2],
+    cos_theta: f64,
+    stored: impl Iterator<Item = (f64, [Complex<f64>; 2])>,
+) -> Vec<f64> {
+    if media.iter().all(|medium| medium.constant().is_some()) {
+        return Vec::new();
+    }
+    let is_reflected = |[near, far]: [Complex<f64>; 2]| {
+        let ratio = far.re / near.re;
+        (ratio - 1.0) * (ratio + 1.0) + cos_theta * cos_theta < 0.0
+    };
+    let mut found = Vec::new();
+    let mut before: Option<(f64, bool)> = None;
+    for (nm, indices) in stored {
+        let reflected = is_reflected(indices);
+        if let Some((nm_before, reflected_before)) = before
+            && reflected_before != reflected
+            && indices[1].im < ROUNDED_K
+        {
+            let [mut low, mut high] = [nm_before, nm];
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if is_reflected(media.map(|medium| medium.index(middle))) == reflected_before {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            found.push(0.5 * (low + high));
+        }
+        before = Some((nm, reflected));
+    }
+    found
 }
 
 /// The attenuation 4 pi k / lambda of light in a medium (Beer's law: the power falls by exp(-attenuation times

@@ -244,6 +244,67 @@ fn a_dispersive_ambient_holds_the_tolerance_near_critical_angles() {
     }
 }
 
+/// Tables of glass that disperses hold the tolerance where total reflection begins for one wavelength after another:
+/// from the back of bare and coated glass, and from within glass towards water. The points are within the interval of
+/// critical cosines over 380-780 nm, at its ends, and from a rounding to a hundredth beside them.
+#[test]
+fn tables_of_dispersing_half_spaces_hold_the_tolerance_at_critical_angles() {
+    let bk7 = || bare(medium("BK7"));
+    let into_water = FilmDescription {
+        ambient: medium("BK7"),
+        ..bare(medium("H2O"))
+    };
+    let films = [
+        ("bare glass", bk7(), medium("vacuum")),
+        (
+            "lens",
+            bk7().layer(medium("MgF2"), [99.6; 2]),
+            medium("vacuum"),
+        ),
+        (
+            "lens of any thickness",
+            bk7().layer(medium("MgF2"), [0.0, 300.0]),
+            medium("vacuum"),
+        ),
+        ("glass in water", into_water, medium("H2O")),
+    ];
+    for (name, description, rarer) in films {
+        let glass = medium("BK7");
+        let critical = |nm| (1.0 - (rarer.index(nm).re / glass.index(nm).re).powi(2)).sqrt();
+        let [first, last] = [critical(780.0), critical(380.0)];
+        assert!((0.001..0.03).contains(&(last - first)), "{first} {last}");
+        let mut cosines: Vec<f64> = (0..=40u8)
+            .map(|i| first + (last - first) * f64::from(i) / 40.0)
+            .collect();
+        for end in [first, last] {
+            cosines.extend((2..=7).flat_map(|digits| {
+                let step = 0.1_f64.powi(digits);
+                [end - step, end + step]
+            }));
+        }
+        for tolerance in [2e-3, 2e-4] {
+            let description = FilmDescription {
+                tolerance,
+                ..two_sided(description.clone())
+            };
+            let film = Film::new(&description).unwrap();
+            assert_eq!(film.plan().method, "table", "{name} {:?}", film.plan());
+            let [_, greatest] = range(&film);
+            let parts = if greatest > 0.0 {
+                &[0.0, 0.02, 0.33, 1.0][..]
+            } else {
+                &[0.0]
+            };
+            let points = cosines.iter().flat_map(|c| {
+                let at = |part: &f32| (*c as f32, part * greatest);
+                parts.iter().map(at).collect::<Vec<_>>()
+            });
+            let (error, place) = worst_of(&film, &points.collect::<Vec<_>>());
+            assert!(error <= tolerance, "{name} {error:e} {place}");
+        }
+    }
+}
+
 /// Where light in a layer whose index depends on the wavelength begins to go along it, its wave number
 /// passes through 0 within the spectrum.
 #[test]

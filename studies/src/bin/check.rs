@@ -11,7 +11,8 @@ usage: check f32_vs_f64     [--evaluations N, 1e8] [--seed N]
        check random_bounds  [--evaluations N, 1e9] [--seed N]
        check film_cliffs    [--tolerance X, 2e-3]
        check film_tolerance [--stacks N, 1000] [--points N of each, 10000] [--seed N]
-                            [--stack I: only that one] [--tolerance X: only that one]";
+                            [--stack I: only that one] [--tolerance X: only that one]
+                            [--kind general|constant|dispersing|lines|thick: only that one]";
 
 fn main() -> ExitCode {
     let arguments = match Arguments::parse() {
@@ -73,6 +74,7 @@ fn film_tolerance(arguments: Arguments) -> Vec<String> {
     let settings = film_tolerance::Settings {
         seed: arguments.seed,
         stacks: arguments.stacks,
+        kind: arguments.kind,
         points: arguments.points,
         tolerances: promises.iter().map(|promise| promise.tolerance).collect(),
     };
@@ -93,6 +95,7 @@ struct Arguments {
     stacks: std::ops::Range<usize>,
     points: usize,
     tolerance: Option<f64>,
+    kind: Option<film_tolerance::kind::Kind>,
 }
 
 const CHECKS: [&str; 4] = [
@@ -112,6 +115,7 @@ impl Arguments {
             stacks: 0..1000,
             points: 10_000,
             tolerance: None,
+            kind: None,
         };
         while let Some(argument) = parser.next()? {
             let is_films = ["film_tolerance", "film_cliffs"].contains(&arguments.check.as_str());
@@ -133,6 +137,13 @@ impl Arguments {
                     arguments.stacks = only..only + 1;
                 }
                 Long("points") if is_films => arguments.points = parser.value()?.parse()?,
+                Long("kind") if is_films => {
+                    let name = parser.value()?.string()?;
+                    let mut kinds = film_tolerance::kind::KINDS.into_iter();
+                    let found = kinds.find(|(_, known)| *known == name);
+                    let (kind, _) = found.ok_or_else(|| format!("unknown kind '{name}'"))?;
+                    arguments.kind = Some(kind);
+                }
                 Long("tolerance") if is_films => {
                     let only: f64 = parser.value()?.parse()?;
                     let mut promises = film_tolerance::summary::PROMISES.iter();

@@ -82,7 +82,7 @@ pub fn suites() -> Vec<Suite> {
 }
 
 fn random(both_sides: bool) -> Vec<(String, FilmDescription)> {
-    let stacks = (0..).map(|number| draw::stack(7, number));
+    let stacks = (0..).map(|number| draw::general(7, number));
     let wanted = stacks.filter(|stack| {
         let base = stack.base.medium();
         !both_sides || base.constant().is_some_and(|index| index.im == 0.0)

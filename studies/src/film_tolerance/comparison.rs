@@ -1,5 +1,6 @@
 //! One film against the truth.
 
+use super::kind::Kind;
 use super::points::Point;
 use super::stack::{Stack, Truth};
 use crate::shared::peer::method_of;
@@ -10,6 +11,8 @@ use std::time::{Duration, Instant};
 
 /// The method that a film falls back to.
 pub const FALLBACK: &str = "reference";
+/// What is said in place of a method where there is no film.
+pub const REFUSED: &str = "refused";
 /// A film that the reference itself evaluates is compared at every point of this number.
 const FALLBACK_STRIDE: usize = 100;
 
@@ -18,9 +21,13 @@ const FALLBACK_STRIDE: usize = 100;
 pub struct Outcome {
     /// The number of its stack.
     pub number: usize,
+    pub kind: Kind,
     pub both_sides: bool,
     pub tolerance: f64,
+    /// The method, or [`REFUSED`].
     pub method: String,
+    /// Why it was refused, if it was.
+    pub refusal: Option<String>,
     pub bytes: usize,
     pub compile_time: Duration,
     /// The number of points compared.
@@ -51,17 +58,24 @@ pub fn check(
 ) -> Outcome {
     let description = stack.description(tolerance);
     let start = Instant::now();
-    let film = Film::new(&description).unwrap_or_else(|error| panic!("{number}, {stack}: {error}"));
+    let film = Film::new(&description);
     let mut outcome = Outcome {
         number,
+        kind: stack.kind,
         both_sides: stack.both_sides,
         tolerance,
-        method: method_of(&film),
-        bytes: film.plan().bytes,
+        method: film
+            .as_ref()
+            .map_or(REFUSED.to_owned(), |film| method_of(film)),
+        refusal: film.as_ref().err().map(ToString::to_string),
+        bytes: film.as_ref().map_or(0, |film| film.plan().bytes),
         compile_time: start.elapsed(),
         points: 0,
         exceptions: 0,
         worst: None,
+    };
+    let Ok(film) = film else {
+        return outcome;
     };
     let is_fallback = outcome.method == FALLBACK;
     let stride = if is_fallback { FALLBACK_STRIDE } else { 1 };

@@ -1,6 +1,7 @@
 //! Random stacks: 1 to 5 layers, eta 1 to 4, k 0 to 8, thickness to 3 um; named media as bases and layers; and the
 //! cases where an index equals its neighbour's.
 
+use super::kind::Kind;
 use super::rng;
 use super::stack::{Index, Stack};
 use crate::shared::directions::log_uniform;
@@ -9,8 +10,8 @@ use rand::{Rng, RngExt};
 
 /// The greatest thickness, nm.
 const GREATEST_NM: f32 = 3000.0;
-const ETA: [f32; 2] = [1.0, 4.0];
-const GREATEST_K: f32 = 8.0;
+pub const ETA: [f32; 2] = [1.0, 4.0];
+pub const GREATEST_K: f32 = 8.0;
 
 /// Named bases.
 const BASES: [&str; 15] = [
@@ -19,8 +20,8 @@ const BASES: [&str; 15] = [
 /// Named layers.
 const COATINGS: [&str; 5] = ["Al2O3", "H2O", "MgF2", "SiO2", "TiO2"];
 
-/// The stack of that number in the series that a seed begins.
-pub fn stack(seed: u64, number: usize) -> Stack {
+/// The stack of that number in the series that a seed begins, without regard to its [`Kind`].
+pub fn general(seed: u64, number: usize) -> Stack {
     let rng = &mut rng(seed, number, 0);
     let ambient = if one_in(5, rng) {
         Index::constant(rng.random_range(1.0..=1.6), 0.0)
@@ -40,6 +41,7 @@ pub fn stack(seed: u64, number: usize) -> Stack {
     }
     let base = base_index(&ambient, rng);
     Stack {
+        kind: Kind::General,
         both_sides: !base.medium().absorbs() && one_in(4, rng),
         white: if one_in(2, rng) { White::D65 } else { White::E },
         space: match rng.random_range(0..8) {
@@ -86,9 +88,15 @@ fn base_index(ambient: &Index, rng: &mut impl Rng) -> Index {
 /// Uniform in eta; now and then dispersive.
 fn numbers(k: f32, rng: &mut impl Rng) -> Index {
     let eta = rng.random_range(ETA[0]..=ETA[1]);
-    if !one_in(12, rng) {
-        return Index::constant(eta, k);
+    if one_in(12, rng) {
+        dispersive(eta, k, rng)
+    } else {
+        Index::constant(eta, k)
     }
+}
+
+/// An index near eta in the red, with another in green and blue.
+pub fn dispersive(eta: f32, k: f32, rng: &mut impl Rng) -> Index {
     let slope = rng.random_range(-0.1..=0.3);
     let eta = [0.0, 0.6, 1.0].map(|x: f32| (eta + slope * x).clamp(ETA[0], ETA[1]));
     let k = std::array::from_fn(|_| (k * rng.random_range(0.5..=1.5)).min(GREATEST_K));
@@ -117,10 +125,10 @@ fn thickness_range(rng: &mut impl Rng) -> [f32; 2] {
     [min.max(0.0), max]
 }
 
-fn one_in(n: u32, rng: &mut impl Rng) -> bool {
+pub fn one_in(n: u32, rng: &mut impl Rng) -> bool {
     rng.random_range(0..n) == 0
 }
 
-fn pick<T: Copy>(from: &[T], rng: &mut impl Rng) -> T {
+pub fn pick<T: Copy>(from: &[T], rng: &mut impl Rng) -> T {
     from[rng.random_range(0..from.len())]
 }

@@ -1,33 +1,52 @@
 //! The report, in Markdown.
 
+use super::Settings;
 use super::comparison::{Difference, Outcome};
+use super::kind::{self, KINDS, Kind};
 use super::summary::{Summary, quantile};
-use super::{Settings, draw};
 use crate::shared::markdown::table;
 
 /// The least and the greatest number of the worst films that are listed: those beyond their tolerance, if possible.
 const LISTED: [usize; 2] = [3, 10];
 
+/// The methods that take less than a microsecond.
+const FAST: [&str; 6] = [
+    "two_beam",
+    "airy_rgb",
+    "quadrature",
+    "harmonics",
+    "bands",
+    "table",
+];
+/// The greatest number of other films that are listed.
+const MOST_SLOW: usize = 40;
+
 const ERRORS: &str = "tolerance | >films | >points | >exceptions | >films with exceptions | >error / tolerance: 99th percentile | >max";
-const METHODS: &str = "tolerance | films | share of each method | >falling back, all | >allowed";
+const METHODS: &str = "tolerance | kind | films of each method | >falling back, all | >allowed";
 const COSTS: &str =
     "tolerance | >KiB: median | >95th percentile | >max | >ms: median | >95th percentile | >max";
 
 pub fn print(settings: &Settings, summaries: &[Summary]) {
+    let points = KINDS.map(|(kind, name)| format!("{name} {}", kind.points(settings.points)));
     println!("# Films against the reference\n");
     println!(
-        "Random stacks {} to {} of seed {}, {} points each; films that fall back to the reference \
-         are compared at every hundredth point, transmittance and the base's side at every tenth.\n",
+        "Random stacks {} to {} of seed {}{}. Points of each: {}. Films that fall back to the reference are compared \
+         at every hundredth point; transmittance and the base's side of general stacks at every tenth, of others at \
+         every point, a quarter of which is at the critical angles of the half-spaces.\n",
         settings.stacks.start,
         settings.stacks.end.saturating_sub(1),
         settings.seed,
-        settings.points
+        settings
+            .kind
+            .map_or(String::new(), |kind| format!(", {} only", kind.name())),
+        points.join(", ")
     );
     println!("{}", table(ERRORS, summaries.iter().map(errors)));
     println!("{}", table(METHODS, summaries.iter().flat_map(methods)));
     print!("{}", table(COSTS, summaries.iter().map(costs)));
     for summary in summaries {
         print_worst(settings, summary);
+        print_slow(settings, summary);
     }
 }
 
@@ -45,22 +64,28 @@ fn errors(summary: &Summary) -> Vec<String> {
 }
 
 fn methods(summary: &Summary) -> Vec<Vec<String>> {
-    let row = |both_sides| {
-        let methods = summary.methods(both_sides);
+    let row = |kind: Kind, both_sides| {
+        let methods = summary.methods(kind, both_sides);
         let films: usize = methods.iter().map(|(_, count)| count).sum();
-        let share = |(method, count): &(&str, usize)| {
-            format!("{method} {:.1} %", 100.0 * *count as f64 / films as f64)
-        };
-        let shares: Vec<String> = methods.iter().map(share).collect();
-        vec![
-            format!("{:e}", summary.promise.tolerance),
-            format!("{films} {}", if both_sides { "with T" } else { "R only" }),
-            shares.join(", "),
-            format!("{:.1} %", 100.0 * summary.fallback_share()),
-            format!("{:.0} %", 100.0 * summary.promise.greatest_fallback),
-        ]
+        let counts = methods
+            .iter()
+            .map(|(method, count)| format!("{method} {count}"));
+        let counts: Vec<String> = counts.collect();
+        let sides = if both_sides { "with T" } else { "R only" };
+        (films > 0).then(|| {
+            vec![
+                format!("{:e}", summary.promise.tolerance),
+                format!("{}, {sides}", kind.name()),
+                format!("{films}: {}", counts.join(", ")),
+                format!("{:.1} %", 100.0 * summary.fallback_share()),
+                format!("{:.0} %", 100.0 * summary.promise.greatest_fallback),
+            ]
+        })
     };
-    [false, true].map(row).into()
+    let rows = KINDS
+        .iter()
+        .flat_map(|(kind, _)| [row(*kind, false), row(*kind, true)]);
+    rows.flatten().collect()
 }
 
 fn costs(summary: &Summary) -> Vec<String> {
@@ -77,24 +102,56 @@ fn print_worst(settings: &Settings, summary: &Summary) {
     println!("\n## Worst at {:e}\n", summary.promise.tolerance);
     let listed = summary.broken_films().clamp(LISTED[0], LISTED[1]);
     for film in summary.worst().into_iter().take(listed) {
-        let Some(worst) = &film.worst else { continue };
+        println!("- {}", line(settings.seed, film));
+    }
+}
+
+/// A film and its greatest error.
+pub fn line(seed: u64, film: &Outcome) -> String {
+    let stack = kind::stack(seed, film.number);
+    let mut line = format!(
+        "{:.3} tolerances of {:e}, {} points beyond of {}, method {}, stack {}, {}: `{stack}`",
+        film.ratio(),
+        film.tolerance,
+        film.exceptions,
+        film.points,
+        film.method,
+        film.number,
+        film.kind.name(),
+    );
+    if let Some(worst) = &film.worst {
         let Difference {
             what,
-            point,
+            point: [cosine, nm],
             found,
             truth,
             error,
         } = worst;
+        line += &format!(
+            "; {what} at cosine {cosine}, {nm} nm: {found:?}, not {truth:?}; error {error:e}"
+        );
+    }
+    line
+}
+
+/// Films for which there is no fast method, and films that are refused.
+fn print_slow(settings: &Settings, summary: &Summary) {
+    let is_slow = |film: &&&Outcome| !FAST.contains(&film.method.as_str());
+    let slow: Vec<_> = summary.films.iter().filter(is_slow).collect();
+    println!(
+        "\n## Slow or refused at {:e}: {}\n",
+        summary.promise.tolerance,
+        slow.len()
+    );
+    for film in slow.into_iter().take(MOST_SLOW) {
+        let stack = kind::stack(settings.seed, film.number);
+        let why = film.refusal.as_deref().unwrap_or_default();
         println!(
-            "- {:.3} tolerances, {} points beyond, method {}, stack {}: `{}`; {what} at cosine {}, \
-             {} nm: {found:?}, not {truth:?}; error {error:e}",
-            film.ratio(),
-            film.exceptions,
+            "- {} {why}, {:.0} ms to create, stack {}, {}: `{stack}`",
             film.method,
+            1e3 * film.compile_time.as_secs_f64(),
             film.number,
-            draw::stack(settings.seed, film.number),
-            point[0],
-            point[1]
+            film.kind.name()
         );
     }
 }

@@ -1,9 +1,10 @@
 //! A stack in the single-precision numbers that a caller in C would give, so that the printed numbers reproduce it.
 
+use super::kind::Kind;
 use super::points::Point;
 use pellicle::film::FilmDescription;
 use pellicle::optics::stack::Side;
-use pellicle::optics::{ColorSpace, Medium, Reference, TOLERANCE, White};
+use pellicle::optics::{ColorSpace, Medium, Reference, TOLERANCE, VISIBLE_NM, White};
 use std::fmt::{Display, Formatter, Result};
 
 /// The index of a medium.
@@ -13,6 +14,39 @@ pub enum Index {
     Rgb([f32; 3], [f32; 3]),
     /// A medium of the library.
     Named(&'static str),
+    /// A table.
+    Lines(Lines),
+}
+
+/// A transparent medium with lines: its index goes straight from `around` to `top` at the centres and back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lines {
+    /// eta beside the lines.
+    pub around: f32,
+    /// eta and k at the centres.
+    pub top: [f32; 2],
+    /// Ascending, and further apart than twice the half width.
+    pub centers_nm: Vec<f32>,
+    pub half_width_nm: f32,
+}
+
+impl Lines {
+    fn medium(&self) -> Medium {
+        let around = [self.around, 0.0];
+        let mut rows = vec![(VISIBLE_NM[0], around)];
+        for center in &self.centers_nm {
+            let (center, half) = (f64::from(*center), f64::from(self.half_width_nm));
+            rows.extend([
+                (center - half, around),
+                (center, self.top),
+                (center + half, around),
+            ]);
+        }
+        rows.push((VISIBLE_NM[1], around));
+        let nm: Vec<f64> = rows.iter().map(|row| row.0).collect();
+        let [eta, k] = [0, 1].map(|i| rows.iter().map(|row| row.1[i].into()).collect::<Vec<f64>>());
+        Medium::table(&nm, &eta, &k).unwrap()
+    }
 }
 
 impl Index {
@@ -26,6 +60,7 @@ impl Index {
         match self {
             Self::Rgb(eta, k) => Medium::rgb(eta.map(f64::from), k.map(f64::from)).unwrap(),
             Self::Named(name) => Medium::named(name).unwrap(),
+            Self::Lines(lines) => lines.medium(),
         }
     }
 }
@@ -33,6 +68,7 @@ impl Index {
 /// Layers between an ambient medium and a base, and the colours wanted of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stack {
+    pub kind: Kind,
     pub ambient: Index,
     /// Index; least and greatest thickness, nm.
     pub layers: Vec<(Index, [f32; 2])>,
@@ -75,6 +111,22 @@ impl Stack {
         ranges.find(|[min, max]| min != max)
     }
 
+    /// The least and the greatest cosine, in the denser half-space, beyond which light of some wavelength is reflected
+    /// totally; none if the half-spaces have the same index.
+    pub fn critical_interval(&self) -> Option<[f64; 2]> {
+        let [ambient, base] = [&self.ambient, &self.base].map(Index::medium);
+        let cosines = (0..=400).filter_map(|i| {
+            let nm = VISIBLE_NM[0] + f64::from(i);
+            let [a, b] = [&ambient, &base].map(|medium| medium.index(nm).re);
+            let ratio = a.min(b) / a.max(b);
+            (ratio < 1.0).then(|| ((1.0 - ratio) * (1.0 + ratio)).sqrt())
+        });
+        cosines.fold(None, |found: Option<[f64; 2]>, c| {
+            let [least, greatest] = found.unwrap_or([c; 2]);
+            Some([least.min(c), greatest.max(c)])
+        })
+    }
+
     /// The converged colours at points, not clipped. Panics if they do not converge.
     pub fn truth(&self, points: &[Point]) -> Vec<Truth> {
         let reference = self.reference();
@@ -92,7 +144,7 @@ impl Stack {
                 found
             };
             let ambient = from(Side::Ambient);
-            let has_sides = self.both_sides && i.is_multiple_of(BOTH_SIDES_STRIDE);
+            let has_sides = self.both_sides && i.is_multiple_of(self.kind.both_sides_stride());
             let sides = has_sides.then(|| {
                 let base = from(Side::Base);
                 [ambient.transmittance, base.reflectance, base.transmittance]
@@ -105,9 +157,6 @@ impl Stack {
         points.iter().enumerate().map(at).collect()
     }
 }
-
-/// Of a stack that is checked from both sides, every point of this number is.
-const BOTH_SIDES_STRIDE: usize = 10;
 
 /// The colours at one point, not clipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,6 +171,18 @@ impl Display for Index {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             Self::Named(name) => write!(f, "{name}"),
+            Self::Lines(lines) => {
+                let Lines {
+                    around,
+                    top: [eta, k],
+                    centers_nm,
+                    half_width_nm,
+                } = lines;
+                write!(
+                    f,
+                    "({around}; {eta}+{k}i at {centers_nm:?} +- {half_width_nm} nm)"
+                )
+            }
             Self::Rgb([eta, rest @ ..], [k, k_rest @ ..])
                 if *rest == [*eta; 2] && *k_rest == [*k; 2] =>
             {

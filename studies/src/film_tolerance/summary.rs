@@ -1,6 +1,7 @@
 //! What a run says about the promise that films keep their tolerance.
 
-use super::comparison::{FALLBACK, Outcome};
+use super::comparison::{FALLBACK, Outcome, REFUSED};
+use super::kind::Kind;
 
 /// A tolerance, and the greatest share of films that may fall back to the reference at it.
 #[derive(Clone, Copy, Debug)]
@@ -51,15 +52,17 @@ impl<'a> Summary<'a> {
         self.films.iter().filter(|film| film.exceptions > 0).count()
     }
 
+    /// The share of films that the reference evaluates or that are refused.
     pub fn fallback_share(&self) -> f64 {
-        let fallbacks = self.films.iter().filter(|film| film.method == FALLBACK);
+        let is_fallback = |film: &&&Outcome| [FALLBACK, REFUSED].contains(&film.method.as_str());
+        let fallbacks = self.films.iter().filter(is_fallback);
         fallbacks.count() as f64 / self.films.len().max(1) as f64
     }
 
-    /// The number of films of each method, among those checked from both sides or among the others.
-    pub fn methods(&self, both_sides: bool) -> Vec<(&'a str, usize)> {
+    /// The number of films of each method among those of a kind, checked from both sides or not.
+    pub fn methods(&self, kind: Kind, both_sides: bool) -> Vec<(&'a str, usize)> {
         let mut counts: Vec<(&str, usize)> = Vec::new();
-        for film in self.films.iter().filter(|f| f.both_sides == both_sides) {
+        for film in self.of(kind, both_sides) {
             match counts.iter_mut().find(|(method, _)| *method == film.method) {
                 Some((_, count)) => *count += 1,
                 None => counts.push((&film.method, 1)),
@@ -67,6 +70,11 @@ impl<'a> Summary<'a> {
         }
         counts.sort_by_key(|(method, count)| (std::cmp::Reverse(*count), *method));
         counts
+    }
+
+    fn of(&self, kind: Kind, both_sides: bool) -> impl Iterator<Item = &&'a Outcome> {
+        let films = self.films.iter();
+        films.filter(move |film| film.kind == kind && film.both_sides == both_sides)
     }
 
     /// A number of each film, ascending.
@@ -101,7 +109,7 @@ impl<'a> Summary<'a> {
         let share = self.fallback_share();
         if share > greatest_fallback {
             failures.push(format!(
-                "tolerance {tolerance:e}: {:.1} % of the films fall back to {FALLBACK}, more than \
+                "tolerance {tolerance:e}: {:.1} % of the films fall back to {FALLBACK} or are refused, more than \
                  {:.0} %",
                 100.0 * share,
                 100.0 * greatest_fallback

@@ -16,7 +16,7 @@ const SLOW_ELEMENTS: usize = 64;
 
 pub fn run(settings: &Settings, number: usize, tally: &mut Tally) {
     let rng = &mut rng(settings.seed ^ (number as u64) << 32);
-    let stack = draw::stack(settings.seed, number);
+    let stack = draw::general(settings.seed, number);
     let mut description = stack.description([1e-2, 2e-3][number % 2]);
     description.unclipped = number % 8 == 7;
     let film = match Film::new(&description) {
