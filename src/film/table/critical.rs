@@ -9,10 +9,10 @@ const SAMPLES: usize = 64;
 /// The channels are smooth over the visible spectrum, and so are their colours over the interval of critical cosines.
 /// The colours change within about this part of it.
 const PART: f64 = 0.125;
-/// At least this number of samples at one end of the interval count as a critical angle of its own, because the index
-/// is constant there.
-const SAME: usize = 3;
-const SAME_WITHIN: f64 = 1e-7;
+/// At least this number of samples within this part of the interval at one of its ends count as a critical angle of
+/// their own, because the index is almost constant there.
+const SAME: usize = 6;
+const SAME_WITHIN: f64 = 0.03;
 /// The least width of the change: cosines in single precision are not closer.
 const LEAST_WIDTH: f64 = 1e-7;
 /// Changes that are wider need no coordinate of their own.
@@ -160,11 +160,16 @@ fn add(found: &mut Vec<Centre>, near: &Medium, medium: &Medium, least_width: f64
         width,
     }];
     for end in [least, greatest] {
-        let same = cosines.iter().filter(|c| (**c - end).abs() < SAME_WITHIN);
-        if same.count() >= SAME && width > least_width {
+        let distance = |c: &f64| (c - end).abs();
+        let same = cosines.iter().map(distance);
+        let same = same.filter(|distance| *distance <= SAME_WITHIN * (greatest - least));
+        let (count, spread) = same.fold((0, 0.0f64), |(count, spread), distance| {
+            (count + 1, spread.max(distance))
+        });
+        if count >= SAME && width > least_width {
             all.push(Centre {
                 cosine: end,
-                width: least_width,
+                width: (PART * spread).max(least_width),
             });
         }
     }

@@ -167,12 +167,11 @@ impl Warped {
                     let (c, upright) = last.at(x);
                     source(c, thickness(upright, y))
                 },
-                is_seen: &|x, y| {
+                is_seen: &|x, y| thickness(axis.upright(axis.cosine(x)), y) <= greatest,
+                // Thinner films at smaller cosines have none, see Film.
+                has_tolerance: &|x, y| {
                     let c = axis.cosine(x);
-                    let d = thickness(axis.upright(c), y);
-                    // Thinner films at smaller cosines have no tolerance, see Film.
-                    let is_vanishing = d < LEAST_NM && c < LEAST_VANISHING_COSINE;
-                    d <= greatest && !is_vanishing
+                    thickness(axis.upright(c), y) >= LEAST_NM || c >= LEAST_VANISHING_COSINE
                 },
             },
             limits,

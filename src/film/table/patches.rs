@@ -43,10 +43,13 @@ struct Patch {
     steps: [f64; 2],
 }
 
-/// The colours at a point of the unit square, and whether they are ever looked up there.
+/// The colours at a point of the unit square, whether they are ever looked up there, and whether they have a tolerance
+/// there. What is seen may be a sliver of a patch in which no point is measured, so that errors count wherever there is
+/// a tolerance.
 pub(super) struct PatchSource<'a> {
     pub color: &'a mut dyn FnMut(f64, f64) -> Rgb<f64>,
     pub is_seen: &'a dyn Fn(f64, f64) -> bool,
+    pub has_tolerance: &'a dyn Fn(f64, f64) -> bool,
 }
 
 impl Patches {
@@ -126,13 +129,9 @@ impl PatchFit<'_> {
         };
         let mut values = reserve(VALUES * VALUES)?;
         values.resize(VALUES * VALUES, [0.0; 3]);
-        // Whether points are seen changes along y alone, but for the corner of vanishing films.
-        let is_seen = (0..VALUES).any(|i| {
-            [0, VALUES - 1].into_iter().any(|j| {
-                let [x, y] = at(i as f64, j as f64);
-                (self.source.is_seen)(x, y)
-            })
-        });
+        // What is seen ends at a greatest y, which grows with x.
+        let [x, y] = at((VALUES - 1) as f64, 0.0);
+        let is_seen = (self.source.is_seen)(x, y);
         if is_seen {
             for i in 0..VALUES {
                 for j in 0..VALUES {
@@ -142,7 +141,11 @@ impl PatchFit<'_> {
             }
         }
         let points = control_points(&values, VALUES)?;
-        let (errors, worst) = self.measured(&points, at);
+        let (errors, worst) = if is_seen {
+            self.measured(&points, at)
+        } else {
+            Default::default()
+        };
         let allowed = FOUND * self.limits.tolerance;
         if !is_seen || errors.max <= allowed {
             self.errors.merge(&errors);
@@ -212,7 +215,7 @@ impl PatchFit<'_> {
         errors: &mut Errors,
     ) -> Option<f64> {
         let [x, y] = at(i, j);
-        if !(self.source.is_seen)(x, y) {
+        if !(self.source.has_tolerance)(x, y) {
             return None;
         }
         let truth = (self.source.color)(x, y);

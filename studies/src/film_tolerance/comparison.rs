@@ -64,9 +64,7 @@ pub fn check(
         kind: stack.kind,
         both_sides: stack.both_sides,
         tolerance,
-        method: film
-            .as_ref()
-            .map_or(REFUSED.to_owned(), |film| method_of(film)),
+        method: film.as_ref().map_or(REFUSED.to_owned(), method_of),
         refusal: film.as_ref().err().map(ToString::to_string),
         bytes: film.as_ref().map_or(0, |film| film.plan().bytes),
         compile_time: start.elapsed(),
