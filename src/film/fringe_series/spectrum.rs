@@ -16,7 +16,8 @@ const BESIDE_BRANCH: [f64; 3] = [
     0.24385514966178936,
 ];
 
-/// Wavenumbers in ascending order, four to an entry. Those that only fill the last entry have weight 0.
+/// Wavenumbers, four to an entry, ascending but within cells beside a branch point. Those that only fill the last entry
+/// have weight 0.
 #[derive(Clone, Debug)]
 pub(super) struct Spectrum {
     pub wavenumbers: Vec<Wavenumbers>,
@@ -108,7 +109,7 @@ impl Spectrum {
     }
 
     /// About `count` wavenumbers, equidistant between the branch points of the spectrum, so that square roots there
-    /// are integrated exactly but for terms of the second order in their distance.
+    /// are integrated exactly but for terms of the order 5/2 in their distance.
     pub fn between_branches(
         media: &[Medium],
         weights: &ChannelWeights,
@@ -153,9 +154,8 @@ impl Spectrum {
     }
 
     /// Cells of four wavenumbers each, by Gauss and Legendre's rule, halved until `is_used` says yes, which also learns
-    /// whether a cell is too small to be halved. At branch
-    /// points the rule is over the root of the distance, and where an index bends cells end. `count` is half the number
-    /// of cells before the halving.
+    /// whether a cell is too small to be halved. At branch points the rule is over the root of the distance, and where
+    /// an index bends cells end. Before the halving there are `count` / 2 cells.
     pub fn in_cells(
         media: &[Medium],
         weights: &ChannelWeights,
