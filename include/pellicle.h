@@ -920,8 +920,8 @@ PellicleStatus pellicle_film_spectrum(const PellicleFilm *film,
 // Reflectance and transmittance of unpolarised light from either side at single wavelengths, by full wave
 // optics, for spectral renderers. Needs no PellicleFilmDesc::transmittance, and allocates nothing.
 //
-// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE. Named media are constant
-// outside the range of their data (PellicleMediumInfo). `reflectance`, `transmittance`: `count` numbers each,
+// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0 or, without `extrapolate` in the
+// film's description, outside the range of a medium's data: OUT_OF_RANGE. `reflectance`, `transmittance`: `count` numbers each,
 // not clipped; either may be NULL if not wanted, not both; one that overlaps `lambda_nm` is INVALID_ARGUMENT.
 // `cos_theta`, `thickness_nm` and `side` as in pellicle_film_eval().
 //
@@ -946,14 +946,12 @@ PellicleStatus pellicle_film_spectrum_eval(const PellicleFilm *film,
 // package tmm. r compares the fields on the near side of the film's first surface, t the field just behind
 // its last surface with the incident one at the first. |r|^2 is the reflectance. With the complex indices n
 // and cosines c on the two sides (n sin alike on both, Im(n c) >= 0), the transmittance is
+// |t_s|^2 Re(n_far c_far) / (n_near c_near) for s and |t_p|^2 Re(n_far conj(c_far)) / (n_near c_near) for p.
 //
-//     T_s = |t_s|^2 Re(n_far c_far) / (n_near c_near)
-//     T_p = |t_p|^2 Re(n_far conj(c_far)) / (n_near c_near)
-//
-// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0: OUT_OF_RANGE. Named media are constant
-// outside the range of their data (PellicleMediumInfo). `amplitudes`: `count` structs; INVALID_ARGUMENT if they
-// overlap `lambda_nm`. `cos_theta`, `thickness_nm` and `side` as in pellicle_film_eval(): everything is 0 from a
-// base that absorbs.
+// `lambda_nm`: `count` vacuum wavelengths, nm; one that is not finite and above 0 or, without `extrapolate` in the
+// film's description, outside the range of a medium's data (PellicleFilmInfo): OUT_OF_RANGE. `amplitudes`: `count`
+// structs; INVALID_ARGUMENT if they overlap `lambda_nm`. `cos_theta`, `thickness_nm` and `side` as in
+// pellicle_film_eval(): everything is 0 from an opaque base.
 //
 // Preconditions:
 // `film` must be NULL (refused) or a live handle, the arrays NULL (refused, unless `count` is 0) or good for
@@ -1104,8 +1102,8 @@ PellicleStatus pellicle_film_reflectance_batch(const PellicleFilm *film,
 // with the same; the results are those of single calls, bit for bit. An output with data NULL is not wanted; at
 // least one must be. An output that overlaps an input or another output is undefined behaviour.
 //
-// A wavelength that is not finite and above 0 is OUT_OF_RANGE, whichever element it belongs to, and nothing is
-// written.
+// A wavelength that pellicle_film_amplitudes() refuses is OUT_OF_RANGE, whichever element it belongs to, and
+// nothing is written.
 //
 // Preconditions:
 // As for pellicle_film_reflectance_batch().

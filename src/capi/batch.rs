@@ -119,8 +119,8 @@ pub unsafe extern "C" fn pellicle_film_reflectance_batch(
 /// with the same; the results are those of single calls, bit for bit. An output with data NULL is not wanted; at
 /// least one must be. An output that overlaps an input or another output is undefined behaviour.
 ///
-/// A wavelength that is not finite and above 0 is OUT_OF_RANGE, whichever element it belongs to, and nothing is
-/// written.
+/// A wavelength that pellicle_film_amplitudes() refuses is OUT_OF_RANGE, whichever element it belongs to, and
+/// nothing is written.
 ///
 /// # Safety
 /// As for pellicle_film_reflectance_batch().
