@@ -29,7 +29,7 @@ pub use fresnel::{
 pub use media::NamedMedium;
 pub use reference::{Converged, Reference, TOLERANCE};
 pub use refraction::Interface;
-pub use spectral_grid::attenuation_per_mm;
+pub use spectral_grid::{attenuation_per_mm, branches_nm};
 
 /// The wavelengths that stand for red, green and blue, nm (GH02 section 1).
 pub const RGB_WAVELENGTHS_NM: [f64; 3] = [645.0, 525.0, 445.0];

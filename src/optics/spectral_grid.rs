@@ -32,9 +32,13 @@ const ROUNDED_K: f64 = 1e-2;
 /// Halvings of the interval around a branch point.
 const HALVINGS: usize = 40;
 
-/// The wavelengths (nm) at which light at a cosine in the near half-space begins to be reflected totally by the far one:
-/// between two neighbours of `stored`, which has ascending wavelengths with the indices of both.
-pub(super) fn branches_nm(
+/// The wavelengths (nm) at which light at a cosine in the near half-space begins to be reflected totally by the far one.
+/// There the spectrum of a stack has a square root, and everywhere else it is smooth: layers have no branch points,
+/// because a stack is even in each layer's own wave vector (Born and Wolf, "Principles of Optics", section 1.6).
+///
+/// `stored` has wavelengths in ascending or descending order with the indices of both half-spaces; what is found is in
+/// the same order. Of two branch points between neighbours none is found.
+pub fn branches_nm(
     media: [&Medium; 2],
     cos_theta: f64,
     stored: impl Iterator<Item = (f64, [Complex<f64>; 2])>,

@@ -2,7 +2,7 @@
 //! tables are filled with and methods are measured by.
 
 mod angle;
-mod branch;
+mod cells;
 pub(super) mod series;
 mod spectrum;
 mod terms;

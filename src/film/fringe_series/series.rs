@@ -1,7 +1,7 @@
 //! The series of fringes: a stack at N wavenumbers.
 
 use super::angle::{ChannelSums, StackAtAngle, Truncation, Wavenumbers};
-use super::branch::branches;
+use super::cells;
 use super::spectrum::Spectrum;
 use super::terms::StackMedia;
 use crate::error::Error;
@@ -9,7 +9,7 @@ use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;
 use crate::num::{F64x4, widest};
 use crate::optics::stack::{Incidence, S, Side};
-use crate::optics::{ChannelWeights, Complex, Medium};
+use crate::optics::{ChannelWeights, Complex, Medium, VISIBLE_NM, branches_nm};
 use std::borrow::Cow;
 
 /// The greatest ratio of a medium's group index and its index.
@@ -230,14 +230,10 @@ impl FringeSeries {
 
     /// The series with wavenumbers chosen for an angle; `None` if those of all angles do, or if there is no memory.
     fn with_own_spectrum(&self, side: Side, cos_theta: f64) -> Option<SeriesAtAngle<'_>> {
-        let branches = if self.has_branches {
-            branches(&self.media, &self.spectrum, side, cos_theta)
-        } else {
-            Vec::new()
-        };
+        let branches = self.branches(side, cos_theta);
         let mut stacks = Vec::new();
         let spectrum = if self.is_graded {
-            Spectrum::in_cells(
+            cells::spectrum(
                 &self.media,
                 &self.weights,
                 [&branches, &self.bends],
@@ -270,6 +266,31 @@ impl FringeSeries {
             spectrum: Cow::Owned(spectrum),
             stacks,
         })
+    }
+
+    /// The branch points of the spectrum, as wavenumbers per nm, ascending.
+    fn branches(&self, side: Side, cos_theta: f64) -> Vec<f64> {
+        if !self.has_branches {
+            return Vec::new();
+        }
+        let last = self.media.len() - 1;
+        let half_spaces = match side {
+            Side::Ambient => [0, last],
+            Side::Base => [last, 0],
+        };
+        let indices = |sigma: f64| half_spaces.map(|at| self.media[at].index(1.0 / sigma));
+        let [first, end] = [VISIBLE_NM[1], VISIBLE_NM[0]].map(|nm| (nm, indices(1.0 / nm)));
+        let nodes = (0..self.spectrum.count).map(|node| {
+            let index = |at| self.spectrum.index(node, at, self.media.len());
+            (1.0 / self.spectrum.sigma(node), half_spaces.map(index))
+        });
+        let stored = std::iter::once(first).chain(nodes).chain([end]);
+        let half_spaces = half_spaces.map(|at| &self.media[at]);
+        let mut found = branches_nm(half_spaces, cos_theta, stored);
+        for branch in &mut found {
+            *branch = 1.0 / *branch;
+        }
+        found
     }
 
     /// Fills in the stacks at entries of a spectrum. Its loop is compiled here alone, because it is long: 37 kB with

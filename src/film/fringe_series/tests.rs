@@ -161,8 +161,8 @@ fn a_layer_without_fringes_is_summed_whole() {
     }
 }
 
-/// Between the critical angles of BK7, where every wavelength has its own: 96 wavenumbers are as exact as the reference
-/// but for 3e-4, which equidistant ones are not (some 1e-2), and so are those in cells.
+/// Between the critical angles of BK7, where every wavelength has its own: against weights beside a branch point that are
+/// not corrected (off by 3.7e-4), and against a rule in cells that does not see it.
 #[test]
 fn branch_points_are_integrated() {
     let glass = || FilmDescription::new(named("BK7"));
@@ -186,7 +186,7 @@ fn branch_points_are_integrated() {
                 let truth = Colors::from(reference.evaluate(Side::Base, c, &thicknesses));
                 for series in [&equidistant, &graded] {
                     let error = difference(series.at(Side::Base, c, d), truth);
-                    assert!(error < 3e-4, "{name} {c} {d}: {error:e}");
+                    assert!(error < 2e-4, "{name} {c} {d}: {error:e}");
                 }
             }
         }

@@ -1,8 +1,8 @@
 //! The tables of a film between half-spaces whose relative index is the same at all wavelengths.
 
-use super::critical::centres;
+use super::critical::{MIDDLE_NM, centres};
 use super::errors::Errors;
-use super::film_table::{FilmTable, MIDDLE_NM, Over};
+use super::film_table::{FilmTable, Over};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};

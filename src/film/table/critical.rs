@@ -24,7 +24,9 @@ const MOST_CENTRES: usize = 4;
 /// The least cosine in a layer by which fringes are made upright.
 const LEAST_UPRIGHT: f64 = 0.2;
 const HALVINGS: usize = 60;
-const MIDDLE_NM: f64 = 550.0;
+/// The wavelength whose indices decide where total reflection begins and how fringes bend, nm: near the
+/// eye's greatest sensitivity.
+pub(super) const MIDDLE_NM: f64 = 550.0;
 
 /// A critical cosine, and the width of the change there.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! The tables of a film between half-spaces of which one disperses, so that every wavelength has its own critical angle.
 
-use super::critical::{centres, near_and_far};
+use super::critical::{MIDDLE_NM, centres, near_and_far};
 use super::errors::Errors;
-use super::film_table::{FilmTable, MIDDLE_NM, Over};
+use super::film_table::{FilmTable, Over};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};

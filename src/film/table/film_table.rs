@@ -1,7 +1,7 @@
 //! The colours of a film over the cosine in one medium, and over the thickness of the layer that varies.
 
 use super::axes::LEAST_NM;
-use super::critical::{Centre, CriticalAxis};
+use super::critical::{Centre, CriticalAxis, MIDDLE_NM};
 use super::errors::Errors;
 use super::fit;
 use super::patches::{PatchSource, Patches};
@@ -11,9 +11,6 @@ use crate::error::Error;
 use crate::film::description::FilmDescription;
 use crate::num::{Lane, Rgb};
 
-/// The wavelength whose indices decide where total reflection begins and how fringes bend, nm: near the
-/// eye's greatest sensitivity.
-pub(super) const MIDDLE_NM: f64 = 550.0;
 /// The greatest number of values of one spline around critical angles: patches need fewer where it would need more.
 const MOST_WARPED: usize = 12_000;
 /// At smaller cosines than this, films thinner than [`LEAST_NM`] have no tolerance.
