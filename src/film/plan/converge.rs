@@ -23,6 +23,11 @@ const PARTS: [f64; 4] = [1.0, 0.0, 0.37, 0.029];
 const SOME_NM: [f64; 9] = [
     5.3, 24.0, 110.0, 640.0, 1800.0, 3100.0, 4300.0, 7500.0, 12_000.0,
 ];
+/// The number of wavelengths whose critical angles are looked at, where a half-space disperses: the error of a branch
+/// point is great where it lies on a resonance, which may be narrow. The first and the last, nm: the channels are
+/// small beyond.
+const BRANCHES: usize = 24;
+const BRANCHES_NM: [f64; 2] = [410.0, 690.0];
 /// The difference of two series is at least this multiple of the error of the finer one: once the
 /// wavenumbers resolve the spectrum, the error falls faster than any power of their number.
 const FASTER: f64 = 3.0;
@@ -46,6 +51,7 @@ pub(super) fn converged(
 ) -> Result<(FringeSeries, f64), Error> {
     let points: Vec<_> = corners(description)
         .chain(points(description, POINTS))
+        .chain(at_branches(description))
         .collect();
     let has_tables = !description.nodes_nm()?.is_empty();
     let stride = if has_tables { 1 } else { SELDOM };
@@ -168,6 +174,29 @@ fn greatest(description: &FilmDescription, found: &[Colors<f64>], expected: &[Co
         }
     }
     errors.max
+}
+
+/// Points at the critical angles of `BRANCHES` wavelengths, if each has its own.
+fn at_branches(description: &FilmDescription) -> Vec<(Side, f64, f64)> {
+    if !description.disperses() || description.is_base_opaque() {
+        return Vec::new();
+    }
+    let [least, greatest] = measured_range(description);
+    let [first, last] = BRANCHES_NM.map(|nm| 1.0 / nm);
+    let points = description.sides().iter().flat_map(|&side| {
+        let [near, far] = description.near_and_far(side);
+        (0..BRANCHES).filter_map(move |i| {
+            let part = i as f64 / (BRANCHES - 1) as f64;
+            let nm = 1.0 / (first + part * (last - first));
+            let ratio = far.index(nm).re / near.index(nm).re;
+            let thickness_nm = least + (0.569_840_291 * i as f64).fract() * (greatest - least);
+            (ratio < 1.0).then(|| {
+                let cosine = ((1.0 - ratio) * (1.0 + ratio)).sqrt();
+                (side, cosine, thickness_nm)
+            })
+        })
+    });
+    points.collect()
 }
 
 /// The points of `COSINES`, `PARTS` and `SOME_NM`, from all sides.
