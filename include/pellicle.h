@@ -355,6 +355,23 @@ typedef struct PellicleFilmInfo {
     float lambda_max_nm;
 } PellicleFilmInfo;
 
+// How a film evaluates light from one side. Frozen.
+typedef struct PellicleFilmSidePlan {
+    // The method's name. It lives as long as the library.
+    const char *method;
+    // The greatest error of a channel that was measured on this side at creation.
+    float measured_max;
+    // The root of the mean square of the errors measured on this side.
+    float measured_rms;
+    // Estimated nanoseconds of one call, on one core of a 2024 server with nothing else to do: of pellicle_film_eval()
+    // if the film keeps its transmittance, of pellicle_film_reflectance() if not. Tables are estimated to a factor of
+    // two, the methods "series" and "reference" to an order of magnitude.
+    float cost_ns;
+    // The greatest part of the light that the layers absorb, of a channel, at the points looked at; 0 if no layer
+    // absorbs. What enters a base that absorbs counts as transmitted.
+    float absorbed_max;
+} PellicleFilmSidePlan;
+
 // How a film is evaluated, and how well. It grows by appending; pass sizeof(PellicleFilmPlan).
 typedef struct PellicleFilmPlan {
     // The method's name. It lives as long as the library.
@@ -370,6 +387,16 @@ typedef struct PellicleFilmPlan {
     size_t bytes;
     // Why this method was chosen, in a sentence. It lives as long as the film.
     const char *reason;
+    // How light from the ambient's side is evaluated.
+    PellicleFilmSidePlan ambient;
+    // How light from the base's side is evaluated. All 0 if the film keeps no transmittance or its base is opaque.
+    PellicleFilmSidePlan base;
+    // The index of the ambient that directions of refraction follow, at `eta_lambda_nm`.
+    float eta_ambient;
+    // The index of the base that directions of refraction follow, its real part, at `eta_lambda_nm`.
+    float eta_base;
+    // The wavelength of these indices, nm: 550.
+    float eta_lambda_nm;
 } PellicleFilmPlan;
 
 // Complex ratios of the electric fields of reflected and transmitted light to that of the incident light:

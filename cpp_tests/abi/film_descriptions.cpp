@@ -191,3 +191,20 @@ TEST_CASE("film plan: it names a method, its reason and an error within the tole
         CHECK_LE(plan.measured_max, plan.tolerance);
     }
 }
+
+TEST_CASE("film plan: it tells of the base's side only if light comes from there, and whose index directions follow") {
+    for (const std::uint32_t transmittance : {0u, 1u}) {
+        Description film;
+        film.desc.transmittance = transmittance;
+        const PellicleFilmPlan plan = pellicle::Film(film.raw()).plan();
+        CHECK_EQ(std::string(plan.ambient.method), plan.method);
+        CHECK_GT(plan.ambient.cost_ns, 0.0f);
+        CHECK_LE(plan.ambient.measured_rms, plan.ambient.measured_max);
+        CHECK_EQ(plan.base.method != nullptr, transmittance == 1);
+        CHECK_EQ(plan.base.cost_ns > 0.0f, transmittance == 1);
+        CHECK_EQ(std::max(plan.ambient.measured_max, plan.base.measured_max), plan.measured_max);
+        CHECK_EQ(plan.eta_lambda_nm, 550.0f);
+        CHECK_EQ(plan.eta_ambient, 1.0f);
+        CHECK_EQ(plan.eta_base, 1.5f);
+    }
+}

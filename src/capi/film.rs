@@ -5,14 +5,18 @@ use super::boundary::{
 };
 use super::c_types::size_t;
 use super::film_description::film_description;
-use super::film_types::{PellicleFilmDesc, PellicleFilmInfo, PellicleFilmPlan};
+use super::film_types::{
+    PellicleFilmDesc, PellicleFilmInfo, PellicleFilmPlan, PellicleFilmSidePlan,
+};
 use super::float_control::Traps;
 use super::text::text;
 use super::types::{PellicleFilm, PellicleStatus};
 use crate::error::Error;
-use crate::film::Film;
+use crate::film::{DIRECTION_NM, Film, SidePlan};
 use crate::num::Level;
+use crate::optics::stack::Side;
 use std::ffi::CString;
+use std::ptr::null;
 use std::sync::Arc;
 
 /// The object behind a handle: the film, which BSDFs share, and its texts for C callers.
@@ -161,6 +165,17 @@ pub unsafe extern "C" fn pellicle_film_plan(
         unsafe {
             let FilmHandle { film, reason, .. } = handle(film)?;
             let found = film.plan();
+            let side_plan = |side: Side| {
+                let plan = found.sides[side as usize];
+                let number = |of: fn(&SidePlan) -> f64| plan.as_ref().map_or(0.0, of) as f32;
+                PellicleFilmSidePlan {
+                    method: plan.map_or(null(), |plan| text(plan.method)),
+                    measured_max: number(|plan| plan.measured_max),
+                    measured_rms: number(|plan| plan.measured_rms),
+                    cost_ns: number(|plan| plan.cost_ns),
+                    absorbed_max: number(|plan| plan.absorbed_max),
+                }
+            };
             let filled = PellicleFilmPlan {
                 method: text(found.method),
                 tolerance: found.tolerance as f32,
@@ -168,6 +183,11 @@ pub unsafe extern "C" fn pellicle_film_plan(
                 measured_rms: found.measured_rms as f32,
                 bytes: found.bytes,
                 reason: reason.as_ptr(),
+                ambient: side_plan(Side::Ambient),
+                base: side_plan(Side::Base),
+                eta_ambient: found.eta[0] as f32,
+                eta_base: found.eta[1] as f32,
+                eta_lambda_nm: DIRECTION_NM as f32,
             };
             write_growing(plan, plan_size, &filled);
         }

@@ -3,6 +3,11 @@
 use super::fringe_series::series::FringeSeries;
 use super::method::compiled_method::CompiledMethod;
 use super::table::two_sided::TwoSidedTables;
+use crate::optics::stack::Side;
+
+/// Times of a call without its look-ups, ns: of the reflectance, and of reflectance and transmittance.
+const REFLECTANCE_NS: f64 = 3.0;
+const BOTH_NS: f64 = 13.0;
 
 /// The compiled form of a film, by the chosen method.
 pub(super) enum Evaluator {
@@ -14,4 +19,19 @@ pub(super) enum Evaluator {
     Series(FringeSeries),
     /// The reference is evaluated at every call.
     Reference,
+}
+
+impl Evaluator {
+    /// Estimated time of a call from a side, ns, where it depends on what has been fitted; `has_both`: of reflectance and
+    /// transmittance.
+    pub(super) fn cost_ns(&self, side: Side, has_both: bool) -> Option<f64> {
+        match self {
+            Self::Tables(tables) => {
+                let call = if has_both { BOTH_NS } else { REFLECTANCE_NS };
+                Some(call + tables.cost_ns(side))
+            }
+            Self::Series(series) => Some(series.cost_ns()),
+            Self::Method(_) | Self::Reference => None,
+        }
+    }
 }

@@ -3,7 +3,8 @@
 use super::colors::{Colors, clamp_inputs, has_nan};
 use super::description::FilmDescription;
 use super::evaluator::Evaluator;
-use super::plan::choose::{FilmPlan, plan};
+use super::plan::choose::plan;
+use super::plan::film_plan::FilmPlan;
 use super::table::spline::SplineTable;
 use crate::error::Error;
 use crate::num::{Lane, Real, Rgb, each};

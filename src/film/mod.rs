@@ -37,5 +37,5 @@ pub use method::one_layer::OneLayer;
 pub use method::registry::METHODS;
 #[doc(hidden)]
 pub use method::registry::OneLayerMethod;
-pub use plan::choose::FilmPlan;
+pub use plan::film_plan::{DIRECTION_NM, FilmPlan, SidePlan};
 pub(crate) use spectra::Ray;

@@ -123,6 +123,57 @@ fn common_films_are_tables_within_their_tolerance() {
     }
 }
 
+/// A plan tells each side's part: nothing of a side that no light comes from, the errors whose greatest is the plan's,
+/// and the light that layers absorb, as the reference finds it.
+#[test]
+fn a_plan_tells_of_both_sides() {
+    let named = |name| Medium::named(name).unwrap();
+    let two_sided = |description: FilmDescription| FilmDescription {
+        transmittance: true,
+        ..description
+    };
+    let coated = || bare(named("BK7")).layer(named("MgF2"), [99.6; 2]);
+    assert!(film(&coated()).plan().sides[1].is_none());
+    let on_metal = bare(named("Au")).layer(named("MgF2"), [99.6; 2]);
+    assert!(film(&two_sided(on_metal)).plan().sides[1].is_none());
+
+    let lens = film(&two_sided(coated()));
+    let [front, back] = lens.plan().sides.map(Option::unwrap);
+    assert_eq!([front.method, back.method], ["table"; 2]);
+    assert_eq!([front.absorbed_max, back.absorbed_max], [0.0; 2]);
+    // The base disperses: its critical angles need a coordinate of their own.
+    assert!(0.0 < front.cost_ns && front.cost_ns < back.cost_ns);
+    assert_eq!(
+        lens.plan().measured_max,
+        front.measured_max.max(back.measured_max)
+    );
+    assert_eq!(lens.plan().eta, [1.0, named("BK7").index(550.0).re]);
+
+    for layer in [constant(1.5, 0.02), named("Au")] {
+        let tinted = two_sided(bare(constant(1.5, 0.0)).layer(layer, [30.0; 2]));
+        let tinted = film(&tinted);
+        let reference = Reference::new(
+            tinted.description().ambient.clone(),
+            vec![tinted.description().layers[0].medium.clone()],
+            tinted.description().base.clone(),
+            tinted.description().white,
+            tinted.description().color_space,
+        );
+        let reference = reference.unwrap();
+        for side in [Side::Ambient, Side::Base] {
+            let told = tinted.plan().sides[side as usize].unwrap().absorbed_max;
+            let found = (1..=200).map(|i| {
+                let found = reference.evaluate(side, f64::from(i) / 200.0, &[30.0]);
+                let parts = found.reflectance.into_iter().zip(found.transmittance);
+                parts.map(|(r, t)| 1.0 - r - t).fold(0.0, f64::max)
+            });
+            let greatest = found.fold(0.0, f64::max);
+            assert!(told <= greatest + 2e-3, "{side:?}: {told} of {greatest}");
+            assert!(told >= 0.9 * greatest, "{side:?}: {told} of {greatest}");
+        }
+    }
+}
+
 /// Soap along the surface: no film reflects nothing, the thinnest film everything. Both are 0 / 0 where a
 /// table has no value; from a thousandth of a nanometre on, or a cosine of 1e-4, the tolerance holds.
 #[test]

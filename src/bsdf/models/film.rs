@@ -38,7 +38,7 @@ use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
 use crate::bsdf::varying::VaryingValues;
-use crate::film::{Film, MAX_THICKNESS_NM};
+use crate::film::{DIRECTION_NM, Film, MAX_THICKNESS_NM};
 use crate::num::{Real, Rgb, Vec3};
 use crate::optics::Interface;
 use crate::optics::stack::Side;
@@ -51,9 +51,6 @@ const THICKNESS_NM: usize = 0;
 
 const REFLECTION_LOBE: usize = 0;
 const TRANSMISSION_LOBE: usize = 1;
-
-/// The wavelength whose direction of refraction all colours take, nm.
-const REFRACTION_NM: f64 = 550.0;
 
 impl Model for ThinFilm {
     const INFO: ModelInfo = ModelInfo {
@@ -112,7 +109,7 @@ impl<T: Precision> Refraction<T> {
     fn through(film: &Film) -> Self {
         let [ambient, base] = film
             .half_spaces()
-            .map(|medium| medium.index(REFRACTION_NM).re);
+            .map(|medium| medium.index(DIRECTION_NM).re);
         Self {
             interface: Interface::new(T::new(ambient), T::new(base)),
             eta: T::new(base / ambient),

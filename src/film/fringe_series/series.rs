@@ -17,6 +17,11 @@ const MOST_GROUP: f64 = 1.7;
 /// Up to the first path the harmonics are not truncated, from the second on they are: a layer between
 /// lossless neighbours first resonates at half a wavelength, 190 nm.
 const FRINGELESS_NM: [f64; 2] = [90.0, 180.0];
+/// Times of four wavenumbers, ns: of the sum over the beams in one layer, and of each layer.
+const BEAMS_NS: f64 = 120.0;
+const LAYER_NS: f64 = 60.0;
+/// The number of parts of the spectrum over which the path of the fringes is taken.
+const PATH_PARTS: usize = 6;
 /// The number of stacks that a single look-up has in memory at a time.
 const BLOCK: usize = 4;
 /// Smaller cosines are replaced by this one: there a stack either mirrors or is no stack.
@@ -323,7 +328,8 @@ impl FringeSeries {
 
     /// The path of the fringes per nm of thickness: the derivative of the phase of a round trip, in turns,
     /// with respect to the wavenumber. In dispersive media it is longer than the path of the phase. The
-    /// greatest of the values at both ends and in the middle of the spectrum.
+    /// greatest of the mean values over parts of the spectrum: at a layer's critical angle within the spectrum the phase
+    /// has a square root, whose derivative is infinite, while the sum of all harmonics is smooth there.
     #[inline(always)]
     fn path(&self, spectrum: &Spectrum, side: Side, cos_theta: f64) -> f64 {
         let Some(layer) = self.summed else {
@@ -342,21 +348,33 @@ impl FringeSeries {
         if self.is_uniform {
             return turns(0).min(self.most_path);
         }
-        // At a layer's critical angle within the spectrum the phase has a square root, whose derivative is
-        // infinite.
-        let between = |node: usize| {
-            let [a, b] = [node, node + 1].map(|node| spectrum.sigma(node));
-            let path = ((b * turns(node + 1) - a * turns(node)) / (b - a)).abs();
-            path.min(self.most_path)
-        };
         let last = spectrum.count - 1;
-        between(0).max(between(last / 2)).max(between(last - 1))
+        let phase = |node: usize| {
+            let sigma = spectrum.sigma(node);
+            (sigma, sigma * turns(node))
+        };
+        let mut before = phase(0);
+        let mut greatest = 0.0f64;
+        for part in 1..=PATH_PARTS {
+            let next = phase(last * part / PATH_PARTS);
+            if next.0 != before.0 {
+                greatest = greatest.max(((next.1 - before.1) / (next.0 - before.0)).abs());
+            }
+            before = next;
+        }
+        greatest.min(self.most_path)
     }
 
     /// The longest path that the wavenumbers resolve, nm.
     #[cfg(test)]
     pub(super) fn longest_path(&self) -> f64 {
         longest_path(&self.spectrum)
+    }
+
+    /// Estimated time of a call, ns, on one core of a 2024 server; more at branch points.
+    pub(in crate::film) fn cost_ns(&self) -> f64 {
+        let layers = self.ranges.len() as f64;
+        self.spectrum.wavenumbers.len() as f64 * (BEAMS_NS + LAYER_NS * layers)
     }
 
     /// Bytes of the wavenumbers and their indices.

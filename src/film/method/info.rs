@@ -87,7 +87,8 @@ impl MethodInfo {
                 if self.is_automatic {
                     // Where few points are measured, none need lie where a line of a table shows.
                     let unresolved = planner.description.unresolved(size)?;
-                    candidate.errors.max = candidate.errors.max.max(unresolved);
+                    let max = &mut candidate.errors[0].max;
+                    *max = max.max(unresolved);
                 }
                 Ok(Some(candidate))
             }

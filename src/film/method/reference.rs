@@ -28,11 +28,11 @@ pub(super) const INFO: MethodInfo = MethodInfo {
     },
     reason: "no faster method holds the tolerance",
     compile: Compile::Film(|planner| {
-        let mut errors = Errors::default();
+        let mut errors = [Errors::default(); 2];
         for (side, c, d) in points(planner.description, POINTS) {
             let thicknesses = planner.description.thicknesses(d);
             let change = planner.reference.evaluate(side, c, &thicknesses).change;
-            errors.add([change; 3], [0.0; 3], true);
+            errors[side as usize].add([change; 3], [0.0; 3], true);
         }
         Ok(Some(Candidate {
             evaluator: Evaluator::Reference,

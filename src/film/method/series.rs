@@ -45,7 +45,7 @@ fn compile(planner: &Planner<'_>) -> Result<Candidate, Error> {
             break (series, uncertainty);
         }
     };
-    let mut errors = Errors::default();
+    let mut errors = [Errors::default(); 2];
     let points_with_reference = if uncertainty > allowed {
         0
     } else {
@@ -58,13 +58,16 @@ fn compile(planner: &Planner<'_>) -> Result<Candidate, Error> {
             .reference
             .evaluate(side, c, &description.thicknesses(d));
         let unclipped = planner.limits.unclipped;
+        let errors = &mut errors[side as usize];
         let wide = |rgb: Rgb<f32>| rgb.map(f64::from);
         errors.add(wide(found.reflectance), truth.reflectance, unclipped);
         if description.transmittance {
             errors.add(wide(found.transmittance), truth.transmittance, unclipped);
         }
     }
-    errors.max = errors.max.max(uncertainty);
+    for errors in &mut errors {
+        errors.max = errors.max.max(uncertainty);
+    }
     Ok(Candidate {
         errors,
         bytes: series.bytes(),

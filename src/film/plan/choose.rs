@@ -1,5 +1,6 @@
 //! The choice of a method.
 
+use super::film_plan::{DIRECTION_NM, FilmPlan, SidePlan};
 use super::planner::{Candidate, Planner};
 use crate::error::Error;
 use crate::film::description::FilmDescription;
@@ -7,23 +8,7 @@ use crate::film::evaluator::Evaluator;
 use crate::film::method::info::MethodInfo;
 use crate::film::method::registry::{ALL, METHODS};
 use crate::optics::Reference;
-
-/// The chosen method of a film, and its measured errors.
-#[derive(Clone, Debug)]
-pub struct FilmPlan {
-    /// The method's name, one of [`METHODS`](crate::film::METHODS).
-    pub method: &'static str,
-    /// The error that was allowed.
-    pub tolerance: f64,
-    /// The greatest error of a channel found, at points that the method was not made from.
-    pub measured_max: f64,
-    /// The root of the mean square of the errors found.
-    pub measured_rms: f64,
-    /// Bytes of the tables.
-    pub bytes: usize,
-    /// Why the method was chosen, in one sentence.
-    pub reason: String,
-}
+use crate::optics::stack::Side;
 
 /// Chooses and compiles the cheapest method whose measured error is allowed, or the cheapest size of the
 /// method that the description forces.
@@ -42,25 +27,33 @@ pub(in crate::film) fn plan(
         let Some(candidate) = method.compile(&planner, size)? else {
             continue;
         };
-        let max = candidate.errors.max;
+        let max = candidate.max();
         if max <= (method.allowed_error)(tolerance) {
+            let cost_ns = [Side::Ambient, Side::Base].map(|side| {
+                let of_tables = candidate.evaluator.cost_ns(side, description.transmittance);
+                of_tables.unwrap_or_else(|| (method.cost_ns)(size))
+            });
+            let (series, errors) = (&planner.series, &candidate.errors);
+            let half_spaces = [&description.ambient, &description.base];
             let plan = FilmPlan {
                 method: method.name,
                 tolerance,
                 measured_max: max,
-                measured_rms: candidate.errors.rms(),
+                measured_rms: candidate.rms(),
                 bytes: candidate.bytes,
                 reason: reason(&candidate.size, method, forced.is_some()),
+                sides: SidePlan::both(description, series, method.name, errors, cost_ns),
+                eta: half_spaces.map(|medium| medium.index(DIRECTION_NM).re),
             };
             return Ok((candidate.evaluator, plan));
         }
-        if best.as_ref().is_none_or(|best| max < best.errors.max) {
+        if best.as_ref().is_none_or(|best| max < best.max()) {
             best = Some(candidate);
         }
     }
     let name = forced.unwrap_or("reference");
     let found = best.map_or("no table that is small enough does".to_owned(), |best| {
-        let (max, size) = (best.errors.max, best.size);
+        let (max, size) = (best.max(), best.size);
         format!("the best it can do is {max:.2e}, with {size}")
     });
     Err(Error::unsupported(format!(

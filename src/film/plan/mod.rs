@@ -2,5 +2,6 @@
 
 pub(super) mod choose;
 pub(super) mod converge;
+pub(super) mod film_plan;
 pub(super) mod planner;
 pub(super) mod points;

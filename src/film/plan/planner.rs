@@ -41,11 +41,26 @@ pub(in crate::film) struct Planner<'a> {
 /// A method compiled and measured.
 pub(in crate::film) struct Candidate {
     pub evaluator: Evaluator,
-    pub errors: Errors,
+    /// On the ambient's side and on the base's.
+    pub errors: [Errors; 2],
     /// Bytes of the tables.
     pub bytes: usize,
     /// The size of the method, in words.
     pub size: String,
+}
+
+impl Candidate {
+    /// The greatest error.
+    pub(in crate::film) fn max(&self) -> f64 {
+        self.errors[0].max.max(self.errors[1].max)
+    }
+
+    /// The root of the mean square of all errors.
+    pub(in crate::film) fn rms(&self) -> f64 {
+        let mut all = self.errors[0];
+        all.merge(&self.errors[1]);
+        all.rms()
+    }
 }
 
 impl<'a> Planner<'a> {
@@ -88,7 +103,7 @@ impl<'a> Planner<'a> {
         }
         Candidate {
             evaluator: Evaluator::Method(method),
-            errors,
+            errors: [errors, Errors::default()],
             bytes: 0,
             size,
         }

@@ -13,6 +13,10 @@ use crate::film::fringe_series::series::FringeSeries;
 use crate::num::Rgb;
 use crate::optics::stack::Side;
 
+/// The time of finding the zone and the cosine in the rarer half-space, ns.
+const ZONE_NS: f64 = 4.0;
+const BOTH: [Side; 2] = [Side::Ambient, Side::Base];
+
 /// Reflectance and transmittance from both sides.
 ///
 /// All tables are over the cosine in the rarer half-space, in which the colours are smooth; the
@@ -43,12 +47,12 @@ enum Zone {
 }
 
 impl ConstantSides {
-    /// Fits the tables to a series; `None` if the limits cannot be met.
+    /// Fits the tables to a series, and returns the errors of each side; `None` if the limits cannot be met.
     pub(super) fn fit(
         description: &FilmDescription,
         series: &FringeSeries,
         limits: FitLimits,
-    ) -> Result<Option<(Self, Errors)>, Error> {
+    ) -> Result<Option<(Self, [Errors; 2])>, Error> {
         let is_opaque = description.is_base_opaque();
         let [ambient, base] =
             [&description.ambient, &description.base].map(|medium| medium.index(MIDDLE_NM).re);
@@ -71,12 +75,14 @@ impl ConstantSides {
             Side::Base => (&description.base, base),
         };
         let mut sampler = SeriesSampler::new(series);
-        let mut errors = Errors::default();
+        let mut errors = [Errors::default(); 2];
         let below = || Over::Cosine(rare_index, centres(description, rare_medium, None));
-        let mut fitted = |source: &mut ColorSource<'_>, over: Over| {
+        let mut fitted = |source: &mut ColorSource<'_>, over: Over, sides: &[Side]| {
             let fitted = FilmTable::fit(description, source, over, limits)?;
             if let Some((_, found)) = &fitted {
-                errors.merge(found);
+                for side in sides {
+                    errors[*side as usize].merge(found);
+                }
             }
             Ok::<_, Error>(fitted.map(|(table, _)| table))
         };
@@ -94,19 +100,24 @@ impl ConstantSides {
             .any(|layer| layer.medium.absorbs());
         let is_lossless = !absorbs && !is_opaque;
 
-        let mut reflectance = |side: Side| {
+        // A film that is its own mirror image reflects the same from both sides.
+        let is_mirrored = ratio == 1.0 && !is_opaque && description.layers.len() < 2;
+        let is_front_both = description.transmittance && (!absorbs || is_mirrored);
+        let mut reflectance = |side: Side, sides: &[Side]| {
             fitted(
                 &mut |c, d| sampler.at(side, cosine(side, c), d).reflectance,
                 below(),
+                sides,
             )
         };
-        let Some(front) = reflectance(Side::Ambient)? else {
+        let front_sides = if is_front_both { &BOTH[..] } else { &BOTH[..1] };
+        let Some(front) = reflectance(Side::Ambient, front_sides)? else {
             return Ok(None);
         };
         let (mut back, mut through, mut beyond) = (None, None, None);
         if description.transmittance && absorbs {
-            if !is_opaque {
-                back = reflectance(Side::Base)?;
+            if !is_opaque && !is_mirrored {
+                back = reflectance(Side::Base, &BOTH[1..])?;
                 if back.is_none() {
                     return Ok(None);
                 }
@@ -118,6 +129,7 @@ impl ConstantSides {
                         .transmittance
                 },
                 below(),
+                &BOTH,
             )?;
             if through.is_none() {
                 return Ok(None);
@@ -132,6 +144,7 @@ impl ConstantSides {
                     sampler.at(denser, critical * part, d).reflectance
                 },
                 Over::Plain,
+                &[denser],
             )?;
             if beyond.is_none() {
                 return Ok(None);
@@ -162,6 +175,20 @@ impl ConstantSides {
     fn others(&self) -> impl Iterator<Item = &FilmTable> {
         let others = [&self.through, &self.back, &self.beyond];
         others.into_iter().flatten().map(Box::as_ref)
+    }
+
+    /// Estimated time of the look-ups of a call from a side, ns.
+    pub(super) fn cost_ns(&self, side: Side) -> f64 {
+        let reflectance = match (&self.back, side) {
+            (Some(table), Side::Base) => table.cost_ns(),
+            _ => self.front.cost_ns(),
+        };
+        let mut below = reflectance + self.through.as_ref().map_or(0.0, |table| table.cost_ns());
+        if side != self.rarer && self.ratio > 1.0 {
+            let beyond = self.beyond.as_ref().map_or(0.0, |table| table.cost_ns());
+            below = below.max(beyond) + ZONE_NS;
+        }
+        below
     }
 
     /// Bytes of all tables.

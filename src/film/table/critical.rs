@@ -73,6 +73,11 @@ impl CriticalAxis {
         axis
     }
 
+    /// The number of critical angles.
+    pub fn centres(&self) -> usize {
+        self.centres.len()
+    }
+
     /// The coordinate of a cosine.
     #[inline(always)]
     pub fn coordinate(&self, cos_theta: f64) -> f64 {

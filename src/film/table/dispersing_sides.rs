@@ -31,14 +31,17 @@ struct OneSide {
 }
 
 impl DispersingSides {
-    /// Fits the tables to a series; `None` if the limits cannot be met.
+    /// Fits the tables to a series, and returns the errors of each side; `None` if the limits cannot be met.
     pub(super) fn fit(
         description: &FilmDescription,
         series: &FringeSeries,
         limits: FitLimits,
-    ) -> Result<Option<(Self, Errors)>, Error> {
-        let mut errors = Errors::default();
-        let mut side = |side| OneSide::fit(description, series, side, limits, &mut errors);
+    ) -> Result<Option<(Self, [Errors; 2])>, Error> {
+        let mut errors = [Errors::default(); 2];
+        let mut side = |side| {
+            let errors = &mut errors[side as usize];
+            OneSide::fit(description, series, side, limits, errors)
+        };
         let Some(front) = side(Side::Ambient)? else {
             return Ok(None);
         };
@@ -64,6 +67,14 @@ impl DispersingSides {
         sides.flat_map(|side| {
             std::iter::once(&side.reflectance).chain(side.transmittance.as_deref())
         })
+    }
+
+    /// Estimated time of the look-ups of a call from a side, ns; 0 if no light is asked for from it.
+    pub(super) fn cost_ns(&self, side: Side) -> f64 {
+        match side {
+            Side::Ambient => self.front.cost_ns(),
+            Side::Base => self.back.as_ref().map_or(0.0, |back| back.cost_ns()),
+        }
     }
 
     pub(super) fn bytes(&self) -> usize {
@@ -130,6 +141,11 @@ impl OneSide {
             reflectance,
             transmittance: transmittance.map(Box::new),
         }))
+    }
+
+    fn cost_ns(&self) -> f64 {
+        let transmittance = self.transmittance.as_ref();
+        self.reflectance.cost_ns() + transmittance.map_or(0.0, |table| table.cost_ns())
     }
 
     fn colors(&self, cos_theta: f32, thickness_nm: f32) -> Colors {

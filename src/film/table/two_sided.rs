@@ -22,12 +22,12 @@ pub(in crate::film) enum TwoSidedTables {
 }
 
 impl TwoSidedTables {
-    /// Fits the tables to a series; `None` if the limits cannot be met.
+    /// Fits the tables to a series, and returns the errors of each side; `None` if the limits cannot be met.
     pub(in crate::film) fn fit(
         description: &FilmDescription,
         series: &FringeSeries,
         limits: FitLimits,
-    ) -> Result<Option<(Self, Errors)>, Error> {
+    ) -> Result<Option<(Self, [Errors; 2])>, Error> {
         // Both sides of a base that absorbs share neither tables nor what is beyond the critical angle.
         if description.disperses() || description.is_base_tinted() {
             let fitted = DispersingSides::fit(description, series, limits)?;
@@ -43,6 +43,14 @@ impl TwoSidedTables {
         match self {
             Self::Constant(sides) => sides.over_ambient_cosine(),
             Self::Dispersing(sides) => sides.over_ambient_cosine(),
+        }
+    }
+
+    /// Estimated time of the look-ups of a call from a side, ns.
+    pub(in crate::film) fn cost_ns(&self, side: Side) -> f64 {
+        match self {
+            Self::Constant(sides) => sides.cost_ns(side),
+            Self::Dispersing(sides) => sides.cost_ns(side),
         }
     }
 

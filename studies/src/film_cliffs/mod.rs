@@ -34,6 +34,8 @@ pub struct Found {
     /// there.
     pub front_ns: [f64; 2],
     pub back_ns: Option<[f64; 2]>,
+    /// The plan's estimates of the two, ns.
+    pub estimated_ns: [Option<f64>; 2],
 }
 
 /// The films of a suite, in their order.
@@ -85,6 +87,7 @@ fn found(film: &Film) -> Found {
         bytes: plan.bytes,
         front_ns: timed(film, front),
         back_ns: asks_for_sides.then(|| timed(film, back)),
+        estimated_ns: plan.sides.map(|side| side.map(|side| side.cost_ns)),
     }
 }
 

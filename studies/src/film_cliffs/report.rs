@@ -9,21 +9,27 @@ pub const SLOW_NS: f64 = 1000.0;
 /// The films of a suite, and a summary line.
 pub fn print(name: &str, outcomes: &[Outcome]) {
     println!("\n## {name}\n");
-    println!("| film | create ms | method | error | KiB | front ns: median, worst | back |");
+    println!(
+        "| film | create ms | method | error | KiB | front ns: median, worst (the plan's estimate) | back |"
+    );
     println!("|---|---:|---|---:|---:|---:|---:|");
     for outcome in outcomes {
         let create = format!("{:.1}", outcome.create_ms);
         match &outcome.film {
             Ok(found) => {
-                let pair = |[median, worst]: [f64; 2]| format!("{median:.0}, {worst:.0}");
+                let pair = |side: usize, [median, worst]: [f64; 2]| {
+                    let estimate = found.estimated_ns[side];
+                    let estimate = estimate.map_or(String::new(), |ns| format!(" ({ns:.0})"));
+                    format!("{median:.0}, {worst:.0}{estimate}")
+                };
                 println!(
                     "| {} | {create} | {} | {:.1e} | {} | {} | {} |",
                     outcome.name,
                     found.reason.split(':').next().unwrap_or(found.method),
                     found.measured_max,
                     found.bytes / 1024,
-                    pair(found.front_ns),
-                    found.back_ns.map_or(String::new(), pair)
+                    pair(0, found.front_ns),
+                    found.back_ns.map_or(String::new(), |back| pair(1, back))
                 );
             }
             Err(reason) => println!(
