@@ -42,6 +42,14 @@ impl Film {
     /// take such a film), `OutOfMemory`.
     pub fn new(description: &FilmDescription) -> Result<Self, Error> {
         description.check()?;
+        Self::made(description, |reference| plan(description, reference))
+    }
+
+    /// The film of a valid description. `make` is given its reference.
+    pub(super) fn made(
+        description: &FilmDescription,
+        make: impl FnOnce(&Reference) -> Result<(Evaluator, FilmPlan), Error>,
+    ) -> Result<Self, Error> {
         let layers = description.layers.iter().map(|layer| layer.medium.clone());
         let reference = Reference::new(
             description.ambient.clone(),
@@ -52,7 +60,7 @@ impl Film {
         )?;
         let weights = ChannelWeights::new(description.white, description.color_space);
         let attenuation_per_mm = attenuation_per_mm(&description.base, &weights)?;
-        let (evaluator, plan) = plan(description, &reference)?;
+        let (evaluator, plan) = make(&reference)?;
         Ok(Self {
             attenuation_per_mm,
             description: description.clone(),
@@ -166,7 +174,7 @@ impl Film {
     fn unclipped(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         match &self.evaluator {
             Evaluator::Tables(tables) => tables.reflectance(cos_theta, thickness_nm),
-            Evaluator::Method(method) => method.reflectance(cos_theta, thickness_nm),
+            Evaluator::Method(method) => method.compiled.reflectance(cos_theta, thickness_nm),
             Evaluator::Series(_) | Evaluator::Reference => {
                 self.unclipped_colors(Side::Ambient, cos_theta, thickness_nm)
                     .reflectance

@@ -11,6 +11,7 @@ use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;
 use crate::film::fringe_series::series::FringeSeries;
 use crate::num::Rgb;
+use crate::num::bytes::{ByteReader, ByteWriter};
 use crate::optics::stack::Side;
 
 /// One or two tables for each side that light is asked for from, over the cosine there: the critical angles are smeared
@@ -52,6 +53,30 @@ impl DispersingSides {
             None
         };
         Ok(Some((Self { front, back }, errors)))
+    }
+
+    /// Writes the tables.
+    pub(super) fn save(&self, block: &mut ByteWriter) {
+        let Self { front, back } = self;
+        front.save(block);
+        block.flag(back.is_some());
+        if let Some(back) = back {
+            back.save(block);
+        }
+    }
+
+    /// Reads the tables of a film.
+    pub(super) fn load(
+        block: &mut ByteReader<'_>,
+        description: &FilmDescription,
+    ) -> Result<Self, Error> {
+        let front = OneSide::load(block, description)?;
+        let back = if block.flag()? {
+            Some(Box::new(OneSide::load(block, description)?))
+        } else {
+            None
+        };
+        Ok(Self { front, back })
     }
 
     #[inline(always)]
@@ -130,6 +155,22 @@ impl OneSide {
             reflectance,
             transmittance: transmittance.map(Box::new),
         }))
+    }
+
+    fn save(&self, block: &mut ByteWriter) {
+        let Self {
+            reflectance,
+            transmittance,
+        } = self;
+        reflectance.save(block);
+        FilmTable::save_optional(transmittance.as_deref(), block);
+    }
+
+    fn load(block: &mut ByteReader<'_>, description: &FilmDescription) -> Result<Self, Error> {
+        Ok(Self {
+            reflectance: FilmTable::load(block, description)?,
+            transmittance: FilmTable::load_optional(block, description)?,
+        })
     }
 
     fn colors(&self, cos_theta: f32, thickness_nm: f32) -> Colors {

@@ -1,0 +1,169 @@
+//! The parts of a saved film that are no tables: its description, its plan, and methods.
+
+use crate::error::Error;
+use crate::film::description::{BaseOpacity, FilmDescription, FilmLayer, MAX_LAYERS};
+use crate::film::evaluator::MethodEvaluator;
+use crate::film::method::compiled_method::Ingredients;
+use crate::film::method::registry::{ALL, METHODS};
+use crate::film::plan::choose::FilmPlan;
+use crate::num::bytes::{ByteReader, ByteWriter, unusable};
+use crate::optics::{ColorSpace, Medium, White};
+
+const OPACITIES: [BaseOpacity; 3] = [
+    BaseOpacity::ByExtinction,
+    BaseOpacity::Opaque,
+    BaseOpacity::Transparent,
+];
+/// Bytes of a layer, at least.
+const LAYER: usize = 1 + 1 + size_of::<[f64; 2]>();
+/// Bytes of the longest reason of a plan.
+const MOST_REASON: usize = 1 << 12;
+/// The greatest size of a method for one layer.
+const MOST_SIZE: usize = 1 << 10;
+
+impl FilmDescription {
+    /// Writes the description, which was checked.
+    pub(super) fn save(&self, block: &mut ByteWriter) {
+        let Self {
+            ambient,
+            layers,
+            base,
+            tolerance,
+            white,
+            color_space,
+            method,
+            unclipped,
+            transmittance,
+            base_opacity,
+            extrapolate,
+        } = self;
+        ambient.save(block);
+        base.save(block);
+        block.count(layers.len());
+        for FilmLayer {
+            medium,
+            thickness_nm,
+        } in layers
+        {
+            medium.save(block);
+            block.numbers(thickness_nm);
+        }
+        block.numbers(&[*tolerance]);
+        block.byte(number_of(&White::NAMES, |(_, other)| other == white));
+        block.byte(number_of(&ColorSpace::NAMES, |(_, other)| {
+            other == color_space
+        }));
+        block.flag(method.is_some());
+        if let Some(method) = method {
+            block.byte(number_of(&METHODS, |name| name == method));
+        }
+        block.flag(*unclipped);
+        block.flag(*transmittance);
+        block.byte(number_of(&OPACITIES, |other| other == base_opacity));
+        block.flag(*extrapolate);
+    }
+
+    /// Reads a description and checks it.
+    pub(super) fn load(block: &mut ByteReader<'_>) -> Result<Self, Error> {
+        let ambient = Medium::load(block)?;
+        let base = Medium::load(block)?;
+        let mut layers = Vec::new();
+        for _ in 0..block.count(LAYER, MAX_LAYERS)? {
+            layers.push(FilmLayer {
+                medium: Medium::load(block)?,
+                thickness_nm: block.numbers()?,
+            });
+        }
+        let loaded = Self {
+            ambient,
+            layers,
+            base,
+            tolerance: block.numbers::<1>()?[0],
+            white: block.choice(&White::NAMES)?.1,
+            color_space: block.choice(&ColorSpace::NAMES)?.1,
+            method: if block.flag()? {
+                Some(block.choice(&METHODS)?.to_owned())
+            } else {
+                None
+            },
+            unclipped: block.flag()?,
+            transmittance: block.flag()?,
+            base_opacity: block.choice(&OPACITIES)?,
+            extrapolate: block.flag()?,
+        };
+        loaded.check()?;
+        Ok(loaded)
+    }
+}
+
+impl FilmPlan {
+    pub(super) fn save(&self, block: &mut ByteWriter) {
+        let Self {
+            method,
+            tolerance,
+            measured_max,
+            measured_rms,
+            bytes,
+            reason,
+        } = self;
+        block.byte(number_of(&METHODS, |name| name == method));
+        block.numbers(&[*tolerance, *measured_max, *measured_rms]);
+        block.count(*bytes);
+        block.count(reason.len());
+        block.put(reason.as_bytes());
+    }
+
+    pub(super) fn load(block: &mut ByteReader<'_>) -> Result<Self, Error> {
+        let positive = [0.0, f64::MAX];
+        Ok(Self {
+            method: block.choice(&METHODS)?,
+            tolerance: block.number_within("the tolerance", positive)?,
+            measured_max: block.number_within("the greatest error", positive)?,
+            measured_rms: block.number_within("the root of the mean square of errors", positive)?,
+            bytes: block.count(0, isize::MAX as usize)?,
+            reason: {
+                let length = block.count(1, MOST_REASON)?;
+                let text = str::from_utf8(block.take(length)?).ok();
+                // C callers are given the text.
+                let text = text.filter(|text| !text.contains('\0'));
+                text.ok_or_else(|| unusable("its plan's reason is no text"))?
+                    .to_owned()
+            },
+        })
+    }
+}
+
+pub(super) fn save_method(method: &MethodEvaluator, block: &mut ByteWriter) {
+    let MethodEvaluator {
+        compiled: _,
+        name,
+        ingredients: Ingredients { size, normal },
+    } = method;
+    block.byte(number_of(&METHODS, |other| other == name));
+    block.count(*size);
+    block.color(*normal);
+}
+
+/// Reads and compiles a method of a film.
+pub(super) fn load_method(
+    block: &mut ByteReader<'_>,
+    description: &FilmDescription,
+) -> Result<MethodEvaluator, Error> {
+    let method = block.choice(&ALL)?;
+    let ingredients = Ingredients {
+        size: block.count(0, MOST_SIZE)?,
+        normal: block.color()?,
+    };
+    let made = if (method.takes)(description) {
+        method.made_from(description, ingredients)?
+    } else {
+        None
+    };
+    let (made, _) = made.ok_or_else(|| unusable("its method does not take its film"))?;
+    Ok(made)
+}
+
+/// The number of the element of a list, of at most 256, that is sought.
+fn number_of<T>(list: &[T], is_sought: impl Fn(&T) -> bool) -> u8 {
+    list.iter().position(is_sought).unwrap_or_default() as u8
+}

@@ -1,0 +1,79 @@
+//! Compiled films as blocks of memory, and back. What is fitted or takes long is stored; the reference, the weights of
+//! the channels and all that follows from the description is made anew.
+//!
+//! A block is little-endian. It begins with [a header](block), which says to which build of the library it
+//! belongs: another build may evaluate the same numbers to other bits. So the layout of what follows may change with
+//! any change of the sources.
+
+mod block;
+mod contents;
+
+use super::description::FilmDescription;
+use super::evaluator::Evaluator;
+use super::film::Film;
+use super::fringe_series::series::FringeSeries;
+use super::plan::choose::FilmPlan;
+use super::table::two_sided::TwoSidedTables;
+use crate::error::Error;
+use crate::num::bytes::{ByteReader, ByteWriter, unusable};
+#[doc(hidden)]
+pub use block::resealed;
+use contents::{load_method, save_method};
+
+/// How a saved evaluator begins, by its kind.
+const TABLES: u8 = 0;
+const METHOD: u8 = 1;
+const SERIES: u8 = 2;
+const REFERENCE: u8 = 3;
+
+impl Film {
+    /// The compiled film as a block of bytes, for [`Film::from_bytes`] of the same build of the library.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, Error> {
+        let mut payload = ByteWriter::default();
+        block::begin(&mut payload);
+        self.description().save(&mut payload);
+        self.plan().save(&mut payload);
+        match &self.evaluator {
+            Evaluator::Tables(tables) => {
+                payload.byte(TABLES);
+                tables.save(&mut payload);
+            }
+            Evaluator::Method(method) => {
+                payload.byte(METHOD);
+                save_method(method, &mut payload);
+            }
+            Evaluator::Series(series) => {
+                payload.byte(SERIES);
+                series.save(&mut payload);
+            }
+            Evaluator::Reference => payload.byte(REFERENCE),
+        }
+        let mut bytes = payload.finish()?;
+        block::seal(&mut bytes);
+        Ok(bytes)
+    }
+
+    /// The film that was saved: it gives the same bits in every call. Nothing is fitted and nothing measured.
+    ///
+    /// # Errors
+    /// `InvalidArgument` for bytes that are no saved film, cut short, too long or damaged; `Unsupported` for those of
+    /// another format or another build of the library; `OutOfMemory`.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
+        let mut payload = ByteReader(block::opened(bytes)?);
+        let description = FilmDescription::load(&mut payload)?;
+        let plan = FilmPlan::load(&mut payload)?;
+        let evaluator = match payload.choice(&[TABLES, METHOD, SERIES, REFERENCE])? {
+            TABLES => Evaluator::Tables(TwoSidedTables::load(&mut payload, &description)?),
+            METHOD => Evaluator::Method(load_method(&mut payload, &description)?),
+            SERIES => Evaluator::Series(FringeSeries::load(&mut payload, &description)?),
+            _ => Evaluator::Reference,
+        };
+        if !payload.0.is_empty() {
+            return Err(unusable("its contents end early"));
+        }
+        Self::made(&description, |_| Ok((evaluator, plan)))
+    }
+}
