@@ -10,13 +10,14 @@ use std::{env, fs};
 
 /// The files that hold the C interface, in the order in which the header presents them. The functions of
 /// the table stand in the same order. Once PELLICLE_ABI_VERSION is not 0, the table only grows at its end.
-const INTERFACE: [&str; 12] = [
+const INTERFACE: [&str; 13] = [
     "types.rs",
     "film_types.rs",
     "bsdf_types.rs",
     "version.rs",
     "catalogue.rs",
     "film.rs",
+    "film_saving.rs",
     "film_calls.rs",
     "film_spectra.rs",
     "bsdf.rs",
@@ -31,7 +32,10 @@ fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rerun-if-changed=cbindgen.toml");
     println!("cargo:rerun-if-changed=src/capi");
-    println!("cargo:rustc-env=PELLICLE_FINGERPRINT={:016x}", fingerprint(&root));
+    println!(
+        "cargo:rustc-env=PELLICLE_FINGERPRINT={:016x}",
+        fingerprint(&root)
+    );
 
     let text = declarations(&root);
     let functions = Function::all(&text);
@@ -85,7 +89,7 @@ fn add_files(folder: &Path, files: &mut Vec<PathBuf>) {
         let path = entry.unwrap().path();
         if path.is_dir() {
             add_files(&path, files);
-        } else {
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
             files.push(path);
         }
     }

@@ -115,7 +115,10 @@ impl Spectrum {
     pub fn node(&self, node: usize) -> Node {
         let weights = &self.wavenumbers[node / F64x4::COUNT].weights;
         let lane = node % F64x4::COUNT;
-        (self.sigma(node), std::array::from_fn(|c| weights[c].to_array()[lane]))
+        (
+            self.sigma(node),
+            std::array::from_fn(|c| weights[c].to_array()[lane]),
+        )
     }
 
     /// The index of a medium at wavenumber `node`, of `media` media.

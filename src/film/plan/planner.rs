@@ -75,14 +75,13 @@ impl<'a> Planner<'a> {
     }
 
     /// Measures a method against the reflectance from the ambient's side.
-    pub(in crate::film) fn measured(
-        &self,
-        method: MethodEvaluator,
-        size: String,
-    ) -> Candidate {
+    pub(in crate::film) fn measured(&self, method: MethodEvaluator, size: String) -> Candidate {
         let mut errors = Errors::default();
         for &(c, d, truth) in self.truth() {
-            let found = method.compiled.reflectance(c as f32, d as f32).map(f64::from);
+            let found = method
+                .compiled
+                .reflectance(c as f32, d as f32)
+                .map(f64::from);
             errors.add(found, truth, self.limits.unclipped);
         }
         Candidate {

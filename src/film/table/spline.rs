@@ -77,10 +77,7 @@ impl SplineTable {
         range: [f64; 2],
     ) -> Result<Self, Error> {
         let params = AxisParams::load(block)?;
-        let [rows, row] = [
-            block.count(1, MOST_LOADED)?,
-            block.count(0, MOST_LOADED)?,
-        ];
+        let [rows, row] = [block.count(1, MOST_LOADED)?, block.count(0, MOST_LOADED)?];
         let is_over_cosine = row == 0;
         let least = LEAST_VALUES + 2;
         if rows < least || (row < least && !is_over_cosine) {
