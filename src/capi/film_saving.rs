@@ -10,16 +10,11 @@ use crate::film::Film;
 use std::sync::Arc;
 
 /// Writes a compiled film to a block of memory, from which pellicle_film_load() makes it again without fitting or
-/// measuring. Ask for the size first, then for the block:
+/// measuring. Call it twice: with `block` NULL it only stores the block's bytes in `*size`, some hundred to some
+/// million, for a film always the same number; then with that many.
 ///
-///     size_t size;
-///     pellicle_film_save(film, NULL, 0, &size);
-///     void *block = malloc(size);
-///     pellicle_film_save(film, block, size, &size);
-///
-/// `*size` receives the bytes of the block, which for a film are always the same; some kilobytes to some megabytes.
-/// `block` NULL: nothing else is done. `block_size` below that size: OUT_OF_RANGE. Also OUT_OF_MEMORY. A block holds no
-/// pointers, and one in a file is as good as one in memory.
+/// `block_size` below that number: OUT_OF_RANGE. Also OUT_OF_MEMORY. A block holds no pointers and may be written to a
+/// file as it is.
 ///
 /// # Safety
 /// `film` must be NULL (refused) or a live handle, `block` NULL or good for `block_size` bytes, `size` NULL (refused) or
@@ -56,7 +51,7 @@ pub unsafe extern "C" fn pellicle_film_save(
 
 /// Makes a film of a block that pellicle_film_save() has written, and stores a handle with one reference in `*film`. It
 /// gives the same bits as the film that was saved, in every call. Most films take some ten microseconds. The block is
-/// copied.
+/// copied. Batches use the widest instructions there are (PellicleFilmDesc::simd_level NULL).
 ///
 /// A block belongs to the build of the library that wrote it, since another one may evaluate the same numbers to other
 /// bits. Refused are, with the reason in pellicle_last_error(): bytes that are no saved film, cut short, too long or
@@ -64,9 +59,9 @@ pub unsafe extern "C" fn pellicle_film_save(
 /// film has behind a checksum that is right, and OUT_OF_MEMORY. `*film` is then untouched.
 ///
 /// So a cache on disk needs no checks of its own: read the file, load it, and after any failure create the film and
-/// write the file anew. But a block does not tell which film was wanted: name the file by all that went into
-/// PellicleFilmDesc, tables of media too. No block makes a call read or write outside its memory, or fail to return;
-/// what colours a forged one gives is not checked.
+/// write the file anew (docs/films.md has an example). But a block does not tell which film was wanted: name the file by
+/// all that went into PellicleFilmDesc, tables of media too. No block makes a call read or write outside its memory, or
+/// fail to return; what colours a forged one gives is not checked.
 ///
 /// # Safety
 /// `block` must be NULL (refused) or good for `size` bytes, `film` for one pointer.

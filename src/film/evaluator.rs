@@ -19,7 +19,5 @@ pub(super) enum Evaluator {
 /// A method, and what it was made from.
 pub(super) struct MethodEvaluator {
     pub compiled: Box<dyn CompiledMethod<f32>>,
-    /// One of [`METHODS`](super::METHODS).
-    pub name: &'static str,
     pub ingredients: Ingredients,
 }

@@ -125,7 +125,6 @@ impl MethodInfo {
         };
         let method = MethodEvaluator {
             compiled,
-            name: self.name,
             ingredients,
         };
         Ok(Some((method, size)))

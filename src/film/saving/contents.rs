@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::film::description::{BaseOpacity, FilmDescription, FilmLayer, MAX_LAYERS};
 use crate::film::evaluator::MethodEvaluator;
 use crate::film::method::compiled_method::Ingredients;
+use crate::film::method::info::MethodInfo;
 use crate::film::method::registry::{ALL, METHODS};
 use crate::film::plan::choose::FilmPlan;
 use crate::num::bytes::{ByteReader, ByteWriter, unusable};
@@ -133,33 +134,29 @@ impl FilmPlan {
     }
 }
 
-pub(super) fn save_method(method: &MethodEvaluator, block: &mut ByteWriter) {
-    let MethodEvaluator {
-        compiled: _,
-        name,
-        ingredients: Ingredients { size, normal },
-    } = method;
-    block.byte(number_of(&METHODS, |other| other == name));
+pub(super) fn save_ingredients(ingredients: &Ingredients, block: &mut ByteWriter) {
+    let Ingredients { size, normal } = ingredients;
     block.count(*size);
     block.color(*normal);
 }
 
-/// Reads and compiles a method of a film.
+/// Reads what the method of that name is made from, and makes it for a film.
 pub(super) fn load_method(
+    name: &str,
     block: &mut ByteReader<'_>,
     description: &FilmDescription,
 ) -> Result<MethodEvaluator, Error> {
-    let method = block.choice(&ALL)?;
     let ingredients = Ingredients {
         size: block.count(0, MOST_SIZE)?,
         normal: block.color()?,
     };
-    let made = if (method.takes)(description) {
-        method.made_from(description, ingredients)?
-    } else {
-        None
-    };
-    let (made, _) = made.ok_or_else(|| unusable("its method does not take its film"))?;
+    let takes = |method: &&&MethodInfo| method.name == name && (method.takes)(description);
+    let method = ALL.iter().find(takes);
+    let made = method.map(|method| method.made_from(description, ingredients));
+    let (made, _) = made
+        .transpose()?
+        .flatten()
+        .ok_or_else(|| unusable("its method does not take its film"))?;
     Ok(made)
 }
 

@@ -18,13 +18,7 @@ use crate::error::Error;
 use crate::num::bytes::{ByteReader, ByteWriter, unusable};
 #[doc(hidden)]
 pub use block::resealed;
-use contents::{load_method, save_method};
-
-/// How a saved evaluator begins, by its kind.
-const TABLES: u8 = 0;
-const METHOD: u8 = 1;
-const SERIES: u8 = 2;
-const REFERENCE: u8 = 3;
+use contents::{load_method, save_ingredients};
 
 impl Film {
     /// The compiled film as a block of bytes, for [`Film::from_bytes`] of the same build of the library.
@@ -37,19 +31,10 @@ impl Film {
         self.description().save(&mut payload);
         self.plan().save(&mut payload);
         match &self.evaluator {
-            Evaluator::Tables(tables) => {
-                payload.byte(TABLES);
-                tables.save(&mut payload);
-            }
-            Evaluator::Method(method) => {
-                payload.byte(METHOD);
-                save_method(method, &mut payload);
-            }
-            Evaluator::Series(series) => {
-                payload.byte(SERIES);
-                series.save(&mut payload);
-            }
-            Evaluator::Reference => payload.byte(REFERENCE),
+            Evaluator::Tables(tables) => tables.save(&mut payload),
+            Evaluator::Method(method) => save_ingredients(&method.ingredients, &mut payload),
+            Evaluator::Series(series) => series.save(&mut payload),
+            Evaluator::Reference => {}
         }
         let mut bytes = payload.finish()?;
         block::seal(&mut bytes);
@@ -65,11 +50,11 @@ impl Film {
         let mut payload = ByteReader(block::opened(bytes)?);
         let description = FilmDescription::load(&mut payload)?;
         let plan = FilmPlan::load(&mut payload)?;
-        let evaluator = match payload.choice(&[TABLES, METHOD, SERIES, REFERENCE])? {
-            TABLES => Evaluator::Tables(TwoSidedTables::load(&mut payload, &description)?),
-            METHOD => Evaluator::Method(load_method(&mut payload, &description)?),
-            SERIES => Evaluator::Series(FringeSeries::load(&mut payload, &description)?),
-            _ => Evaluator::Reference,
+        let evaluator = match plan.method {
+            "table" => Evaluator::Tables(TwoSidedTables::load(&mut payload, &description)?),
+            "series" => Evaluator::Series(FringeSeries::load(&mut payload, &description)?),
+            "reference" => Evaluator::Reference,
+            name => Evaluator::Method(load_method(name, &mut payload, &description)?),
         };
         if !payload.0.is_empty() {
             return Err(unusable("its contents end early"));
