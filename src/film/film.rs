@@ -42,28 +42,41 @@ impl Film {
     /// take such a film), `OutOfMemory`.
     pub fn new(description: &FilmDescription) -> Result<Self, Error> {
         description.check()?;
-        Self::made(description, |reference| plan(description, reference))
+        let reference = Self::reference_of(description)?;
+        let weights = ChannelWeights::new(description.white, description.color_space);
+        let attenuation_per_mm = attenuation_per_mm(&description.base, &weights)?;
+        let (evaluator, plan) = plan(description, &reference)?;
+        Ok(Self::of_parts(
+            description.clone(),
+            reference,
+            attenuation_per_mm,
+            evaluator,
+            plan,
+        ))
     }
 
-    /// The film of a valid description. `make` is given its reference.
-    pub(super) fn made(
-        description: &FilmDescription,
-        make: impl FnOnce(&Reference) -> Result<(Evaluator, FilmPlan), Error>,
-    ) -> Result<Self, Error> {
+    /// The reference of a valid description.
+    #[inline(never)]
+    pub(super) fn reference_of(description: &FilmDescription) -> Result<Reference, Error> {
         let layers = description.layers.iter().map(|layer| layer.medium.clone());
-        let reference = Reference::new(
+        Reference::new(
             description.ambient.clone(),
             layers.collect(),
             description.base.clone(),
             description.white,
             description.color_space,
-        )?;
-        let weights = ChannelWeights::new(description.white, description.color_space);
-        let attenuation_per_mm = attenuation_per_mm(&description.base, &weights)?;
-        let (evaluator, plan) = make(&reference)?;
-        Ok(Self {
+        )
+    }
+
+    pub(super) fn of_parts(
+        description: FilmDescription,
+        reference: Reference,
+        attenuation_per_mm: Rgb<f64>,
+        evaluator: Evaluator,
+        plan: FilmPlan,
+    ) -> Self {
+        Self {
             attenuation_per_mm,
-            description: description.clone(),
             evaluator,
             plan,
             thickness_nm: description.varying_range().map(|x| x as f32),
@@ -73,7 +86,8 @@ impl Film {
             } else {
                 description.range_nm()
             },
-        })
+            description,
+        }
     }
 
     /// [`FilmDescription::check_wavelength`], quick for wavelengths that are allowed.

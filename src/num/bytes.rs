@@ -1,5 +1,7 @@
 //! Numbers and colours as little-endian bytes: what films are saved as and loaded from. Whoever reads may have been
 //! given bytes of any kind, so that reading checks everything and asks for no more memory than the bytes can fill.
+//!
+//! What is called for single numbers is never inlined: loading would be three times as much code.
 
 use super::TableEntry;
 use crate::error::Error;
@@ -17,6 +19,7 @@ pub(crate) struct ByteWriter {
 }
 
 impl ByteWriter {
+    #[inline(never)]
     pub fn put(&mut self, bytes: &[u8]) {
         if self.failure.is_some() {
             return;
@@ -27,6 +30,7 @@ impl ByteWriter {
         }
     }
 
+    #[inline(never)]
     pub fn byte(&mut self, number: u8) {
         self.put(&[number]);
     }
@@ -39,6 +43,7 @@ impl ByteWriter {
         self.put(&(count as u64).to_le_bytes());
     }
 
+    #[inline(never)]
     pub fn numbers(&mut self, numbers: &[f64]) {
         for number in numbers {
             self.put(&number.to_le_bytes());
@@ -81,6 +86,7 @@ impl<'a> ByteReader<'a> {
         Ok(*taken)
     }
 
+    #[inline(never)]
     pub fn byte(&mut self) -> Result<u8, Error> {
         self.array().map(|[byte]| byte)
     }
@@ -97,6 +103,7 @@ impl<'a> ByteReader<'a> {
     }
 
     /// A count of at most `greatest` elements of `bytes` each, which must be there.
+    #[inline(never)]
     pub fn count(&mut self, bytes: usize, greatest: usize) -> Result<usize, Error> {
         let count = u64::from_le_bytes(self.array()?);
         if count > greatest as u64 {
@@ -107,6 +114,7 @@ impl<'a> ByteReader<'a> {
     }
 
     /// Refuses more elements of `bytes` each than there are bytes left.
+    #[inline(never)]
     pub fn check_left(&self, count: usize, bytes: usize) -> Result<(), Error> {
         if count.saturating_mul(bytes) > self.0.len() {
             return Err(too_short());
@@ -115,6 +123,7 @@ impl<'a> ByteReader<'a> {
     }
 
     /// A finite number.
+    #[inline(never)]
     pub fn number(&mut self) -> Result<f64, Error> {
         let number = f64::from_le_bytes(self.array()?);
         if !number.is_finite() {
@@ -124,6 +133,7 @@ impl<'a> ByteReader<'a> {
     }
 
     /// A number of a range; `what` names it.
+    #[inline(never)]
     pub fn number_within(&mut self, what: &str, [min, max]: [f64; 2]) -> Result<f64, Error> {
         let number = self.number()?;
         if !(min..=max).contains(&number) {
@@ -140,6 +150,7 @@ impl<'a> ByteReader<'a> {
         Ok(numbers)
     }
 
+    #[inline(never)]
     pub fn color(&mut self) -> Result<[f32; 3], Error> {
         color(self.array()?)
     }

@@ -82,8 +82,8 @@ pub(super) fn opened(block: &[u8]) -> Result<&[u8], Error> {
     }
     let (version, fingerprint) = (&header[12..24], number(24));
     if version != VERSION || fingerprint != FINGERPRINT {
-        let version = String::from_utf8_lossy(version);
-        let version = version.trim_end_matches('\0').escape_default();
+        let printed = version.iter().filter(|byte| byte.is_ascii_graphic());
+        let version: String = printed.map(|byte| char::from(*byte)).collect();
         return Err(Error::unsupported(format!(
             "block belongs to another build: {version} ({fingerprint:016x}), and this library is {} \
              ({FINGERPRINT:016x}): create the film anew",

@@ -29,6 +29,7 @@ impl Film {
         let mut payload = ByteWriter::default();
         block::begin(&mut payload);
         self.description().save(&mut payload);
+        payload.numbers(&self.base_attenuation_per_mm());
         self.plan().save(&mut payload);
         match &self.evaluator {
             Evaluator::Tables(tables) => tables.save(&mut payload),
@@ -49,6 +50,10 @@ impl Film {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         let mut payload = ByteReader(block::opened(bytes)?);
         let description = FilmDescription::load(&mut payload)?;
+        let mut attenuation_per_mm = [0.0; 3];
+        for channel in &mut attenuation_per_mm {
+            *channel = payload.number_within("the attenuation of the base", [0.0, f64::MAX])?;
+        }
         let plan = FilmPlan::load(&mut payload)?;
         let evaluator = match plan.method {
             "table" => Evaluator::Tables(TwoSidedTables::load(&mut payload, &description)?),
@@ -59,6 +64,13 @@ impl Film {
         if !payload.0.is_empty() {
             return Err(unusable("its contents end early"));
         }
-        Self::made(&description, |_| Ok((evaluator, plan)))
+        let reference = Self::reference_of(&description)?;
+        Ok(Self::of_parts(
+            description,
+            reference,
+            attenuation_per_mm,
+            evaluator,
+            plan,
+        ))
     }
 }

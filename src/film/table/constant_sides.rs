@@ -257,6 +257,7 @@ impl ConstantSides {
 
 /// The half-space of the smaller index, and the square of the ratio of the indices. A base that is opaque counts as of
 /// the same index.
+#[inline(never)]
 fn rarer_side(description: &FilmDescription) -> (Side, f64) {
     if description.is_base_opaque() {
         return (Side::Ambient, 1.0);
