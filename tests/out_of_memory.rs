@@ -73,7 +73,7 @@ fn fail_some<T>(
     let count = usize::MAX - 1 - LEFT.get();
     assert_eq!(IN_USE.get(), before, "bytes are lost by a handle");
 
-    for succeeding in [0, 1, count / 2, count - 1] {
+    for succeeding in [0, 1.min(count - 1), count / 2, count - 1] {
         let mut handle = untouched;
         LEFT.set(succeeding);
         let status = create(&mut handle);
@@ -152,8 +152,7 @@ fn a_block_or_a_table_without_memory_is_refused() {
     let (start, size) = (block.as_ptr().cast(), block.len());
     // SAFETY: the block is alive and as long as stated.
     let load = |film: &mut _| unsafe { pellicle_film_load(start, size, film) };
-    let count = fail_some(load, pellicle_film_release);
-    assert!(count >= 2, "{count} large allocations");
+    fail_some(load, pellicle_film_release);
 
     let film = film_handle(Arc::new(film), None).unwrap();
     let before = IN_USE.get();
