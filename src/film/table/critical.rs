@@ -3,7 +3,6 @@
 use crate::error::Error;
 use crate::film::description::FilmDescription;
 use crate::num::bytes::{ByteReader, ByteWriter, unusable};
-use crate::optics::stack::Side;
 use crate::optics::{Medium, VISIBLE_NM};
 
 /// Wavenumbers at which the critical cosines are looked at.
@@ -198,13 +197,12 @@ fn add(found: &mut Vec<Centre>, near: &Medium, medium: &Medium, least_width: f64
         width,
     }];
     for end in [least, greatest] {
-        let distance = |c: &f64| (c - end).abs();
-        let same = cosines.iter().map(distance);
-        let same = same.filter(|distance| *distance <= SAME_WITHIN * (greatest - least));
-        let (count, spread) = same.fold((0, 0.0f64), |(count, spread), distance| {
-            (count + 1, spread.max(distance))
-        });
-        if count >= SAME && width > least_width {
+        let mut distances: Vec<f64> = cosines.iter().map(|c| (c - end).abs()).collect();
+        distances.sort_by(f64::total_cmp);
+        let Some(&spread) = distances.get(SAME - 1) else {
+            continue;
+        };
+        if spread <= SAME_WITHIN * (greatest - least) && width > least_width {
             all.push(Centre {
                 cosine: end,
                 width: (PART * spread).max(least_width),
@@ -219,13 +217,5 @@ fn add(found: &mut Vec<Centre>, near: &Medium, medium: &Medium, least_width: f64
         if !found.iter().any(is_there) {
             found.push(centre);
         }
-    }
-}
-
-/// The medium that light from a side is in, and the one that it may enter.
-pub(super) fn near_and_far(description: &FilmDescription, side: Side) -> [&Medium; 2] {
-    match side {
-        Side::Ambient => [&description.ambient, &description.base],
-        Side::Base => [&description.base, &description.ambient],
     }
 }
