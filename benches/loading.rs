@@ -6,6 +6,8 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 const COATINGS: usize = 500;
+/// Films that take longer to load are not loaded that often, ms.
+const SLOW_MS: f64 = 10.0;
 
 fn named(name: &str) -> Medium {
     Medium::named(name).expect("a known name")
@@ -76,10 +78,10 @@ fn films() -> Vec<(&'static str, FilmDescription)> {
         ("bands", with("bands", 5e-4, lens())),
         ("series at 2e-3", with("series", 2e-3, lens())),
         (
-            "series of 21 layers at 1e-4",
+            "series of 21 layers at 1e-2",
             with(
                 "series",
-                1e-4,
+                1e-2,
                 alternating(
                     both_sides(FilmDescription::new(named("BK7"))).layer(named("Ag"), [20.0; 2]),
                     20,
@@ -116,13 +118,18 @@ fn main() {
         let load = || black_box(Film::from_bytes(black_box(&block)).expect("the same build"));
         let mut times: Vec<f64> = (0..101).map(|_| timed(load).1).collect();
         times.sort_by(f64::total_cmp);
-        let (all, together) = timed(|| (0..COATINGS).map(|_| load()).collect::<Vec<_>>());
-        drop(all);
+        let median = times[times.len() / 2];
+        let together = if median < SLOW_MS {
+            let (all, together) = timed(|| (0..COATINGS).map(|_| load()).collect::<Vec<_>>());
+            drop(all);
+            format!("{together:.1}")
+        } else {
+            "not tried".to_owned()
+        };
         let size = film.plan().reason.split(':').next().unwrap_or_default();
         println!(
-            "| {name} | {size} | {} | {created:.1} | {:.4} | {together:.1} |",
-            block.len(),
-            times[times.len() / 2]
+            "| {name} | {size} | {} | {created:.1} | {median:.4} | {together} |",
+            block.len()
         );
     }
 }
