@@ -92,7 +92,7 @@ impl<'a> ByteReader<'a> {
     }
 
     pub fn flag(&mut self) -> Result<bool, Error> {
-        Ok(self.choice(&[false, true])?)
+        self.choice(&[false, true])
     }
 
     /// The choice of a number that was written as one byte.
@@ -171,8 +171,7 @@ fn color(bytes: [u8; COLOR]) -> Result<[f32; 3], Error> {
     let channel = |at: usize| f32::from_le_bytes(std::array::from_fn(|i| bytes[at + i]));
     let color = [0, 4, 8].map(channel);
     for channel in color {
-        // So that NaN is refused.
-        if !(channel.abs() <= GREATEST_CHANNEL) {
+        if channel.is_nan() || channel.abs() > GREATEST_CHANNEL {
             return Err(unfit("a colour", f64::from(channel)));
         }
     }

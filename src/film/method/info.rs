@@ -39,10 +39,13 @@ pub(in crate::film) enum Compile {
     /// For a film of one layer.
     OneLayer(OneLayerCompile),
     /// For a bare base, of its reflectance at normal incidence; and the size in words.
-    BareBase(fn(&FilmDescription, Rgb<f32>) -> (Box<dyn CompiledMethod<f32>>, String)),
+    BareBase(fn(&FilmDescription, Rgb<f32>) -> MethodInWords),
     /// For any film that the method takes; `None` if it cannot hold the tolerance.
     Film(fn(&Planner<'_>) -> Result<Option<Candidate>, Error>),
 }
+
+/// A compiled method, and its size in words.
+type MethodInWords = (Box<dyn CompiledMethod<f32>>, String);
 
 /// A constructor for a film of one layer and a size. It fails if the size is out of range.
 type Constructor<T> = fn(&OneLayer, usize) -> Result<Box<dyn CompiledMethod<T>>, Error>;
@@ -115,7 +118,7 @@ impl MethodInfo {
         ingredients: Ingredients,
     ) -> Result<Option<(MethodEvaluator, String)>, Error> {
         let size = ingredients.size;
-        let (compiled, size): (Box<dyn CompiledMethod<f32>>, _) = match &self.compile {
+        let (compiled, size): MethodInWords = match &self.compile {
             Compile::OneLayer(compile) => (
                 Box::new(OneLayerFilm::new(description, compile, size)?),
                 (compile.work)(size),

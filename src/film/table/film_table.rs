@@ -21,6 +21,7 @@ const GREATEST_TILT: f64 = 0.9;
 
 /// A table, with the coordinate of its cosines where that is not the cosine itself.
 #[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant)] // most tables are plain, and one pointer less is followed
 pub(super) enum FilmTable {
     /// One spline over the cosine.
     Plain(SplineTable),
