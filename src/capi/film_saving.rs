@@ -50,7 +50,7 @@ pub unsafe extern "C" fn pellicle_film_save(
 }
 
 /// Makes a film of a block that pellicle_film_save() has written, and stores a handle with one reference in `*film`. It
-/// gives the same bits as the film that was saved, in every call. Most films take some ten microseconds. The block is
+/// gives the same bits as the film that was saved, in every call. Most films take 25 to 110 microseconds. The block is
 /// copied. Batches use the widest instructions there are (PellicleFilmDesc::simd_level NULL).
 ///
 /// A block belongs to the build of the library that wrote it, since another one may evaluate the same numbers to other
