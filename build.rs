@@ -5,17 +5,19 @@
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::{env, fs};
 
 /// The files that hold the C interface, in the order in which the header presents them. The functions of
 /// the table stand in the same order. Once PELLICLE_ABI_VERSION is not 0, the table only grows at its end.
-const INTERFACE: [&str; 12] = [
+const INTERFACE: [&str; 13] = [
     "types.rs",
     "film_types.rs",
     "bsdf_types.rs",
     "version.rs",
     "catalogue.rs",
     "film.rs",
+    "film_saving.rs",
     "film_calls.rs",
     "film_spectra.rs",
     "bsdf.rs",
@@ -30,6 +32,10 @@ fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rerun-if-changed=cbindgen.toml");
     println!("cargo:rerun-if-changed=src/capi");
+    println!(
+        "cargo:rustc-env=PELLICLE_FINGERPRINT={:016x}",
+        fingerprint(&root)
+    );
 
     let text = declarations(&root);
     let functions = Function::all(&text);
@@ -46,6 +52,46 @@ fn main() {
         let soname = format!("libpellicle.so.{}", abi_version(&header));
         println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,{soname}");
         link_soname(&out, &soname);
+    }
+}
+
+/// The folders of `src` that decide what a film evaluates to.
+const OF_FILMS: [&str; 3] = ["num", "optics", "film"];
+
+/// A number of all that decides which bits a saved film evaluates to: the sources of films, the compiler and the
+/// platform, whose elementary functions differ. FNV-1a, 64 bits (Fowler, Noll and Vo).
+fn fingerprint(root: &Path) -> u64 {
+    let mut files = Vec::new();
+    for folder in OF_FILMS {
+        let folder = root.join("src").join(folder);
+        println!("cargo:rerun-if-changed={}", folder.display());
+        add_files(&folder, &mut files);
+    }
+    files.sort();
+    let compiler = Command::new(env::var_os("RUSTC").unwrap())
+        .arg("--version")
+        .output();
+    let target = env::var("TARGET").unwrap().into_bytes();
+    let mut parts = vec![compiler.unwrap().stdout, target];
+    for file in files {
+        let name = file.strip_prefix(root).unwrap().to_string_lossy();
+        parts.push(name.into_owned().into_bytes());
+        parts.push(fs::read(&file).unwrap());
+    }
+    let bytes = parts.iter().flatten();
+    bytes.fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
+        (sum ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3)
+    })
+}
+
+fn add_files(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            add_files(&path, files);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
     }
 }
 

@@ -189,12 +189,30 @@ public:
     // The handle, for calls of pellicle.h; still owned by this object.
     PellicleFilm *raw() const noexcept { return film_.get(); }
 
+    // Stores the film that save() has written in `result`, or leaves that as it was and returns what failed: then create
+    // the film anew. Blocks of another build of the library are refused; pellicle_film_load() tells more.
+    static PellicleStatus load(const void *block, std::size_t size, Film &result) noexcept {
+        PellicleFilm *film = nullptr;
+        const PellicleStatus status = pellicle_film_load(block, size, &film);
+        if (status == PELLICLE_OK) result = Film(film);
+        return status;
+    }
+
 #if PELLICLE_HPP_THROWS
     // Compiles a description. Throws Error; the message says what was wrong and what would be right.
     explicit Film(const PellicleFilmDesc &desc) : film_() {
         PellicleFilm *film = nullptr;
         detail::pellicle_throw_on_failure(pellicle_film_create(&desc, sizeof desc, &film));
         film_ = Handle(film);
+    }
+
+    // The compiled film as a block of bytes for load(), in memory or in a file.
+    std::vector<unsigned char> save() const {
+        std::size_t size = 0;
+        detail::pellicle_throw_on_failure(pellicle_film_save(raw(), nullptr, 0, &size));
+        std::vector<unsigned char> block(size);
+        detail::pellicle_throw_on_failure(pellicle_film_save(raw(), block.data(), size, &size));
+        return block;
     }
 
     // Whether a layer varies, and in which range of thickness.

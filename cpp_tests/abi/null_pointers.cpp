@@ -56,6 +56,7 @@ struct Outputs {
     Untouched<PellicleBsdf *> bsdf_handle;
     Untouched<float[3]> rgb, other;
     Untouched<float> pdf, pdf_reverse;
+    Untouched<std::size_t> size;
     Untouched<PellicleAmplitudes[3]> amplitudes;
 };
 
@@ -84,6 +85,8 @@ std::vector<std::pair<std::string, std::function<void()>>> all_calls(Outputs &ou
               &outputs.film_handle.output),
         NULLS(film_info, NAMES("film", "info", ""), film, &outputs.film_info.output, sizeof outputs.film_info.output),
         NULLS(film_plan, NAMES("film", "plan", ""), film, &outputs.plan.output, sizeof outputs.plan.output),
+        NULLS(film_save, NAMES("film", "", "", "size"), film, nullptr, 0, &outputs.size.output),
+        NULLS(film_load, NAMES("block", "", "film"), up, sizeof up, &outputs.film_handle.output),
         NULLS(film_reflectance, NAMES("film", "", "", "rgb"), film, 1.0f, 0.0f, outputs.rgb.output),
         NULLS(film_eval, NAMES("film", "", "", "", "", ""), film, 1.0f, 0.0f, PELLICLE_SIDE_AMBIENT, outputs.rgb.output,
               outputs.other.output),

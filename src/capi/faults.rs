@@ -51,6 +51,8 @@ const UP: [f32; 3] = [0.0, 0.0, 1.0];
 struct Handles {
     bsdf: *mut PellicleBsdf,
     film: *mut PellicleFilm,
+    /// The film as it is saved.
+    block: Vec<u8>,
 }
 
 impl Handles {
@@ -63,6 +65,7 @@ impl Handles {
         let film = Arc::new(Film::new(&description).unwrap());
         let varying = Description::new("lambert").vary("reflectance", 0.0, 1.0);
         Self {
+            block: film.to_bytes().unwrap(),
             bsdf: bsdf_handle(Bsdf::new(&varying).unwrap()),
             film: film_handle(film, None).unwrap(),
         }
@@ -193,6 +196,13 @@ fn calls() -> Vec<(&'static str, Call)> {
             desc.medium_size = size_of_val(&glass);
             desc.base = &glass;
             pellicle_film_create(&desc, size_of_val(&desc), &mut out.film)
+        }),
+        ("pellicle_film_save", |handles, out| unsafe {
+            pellicle_film_save(handles.film, null_mut(), 0, out.bytes.as_mut_ptr().cast())
+        }),
+        ("pellicle_film_load", |handles, out| unsafe {
+            let block = &handles.block;
+            pellicle_film_load(block.as_ptr().cast(), block.len(), &mut out.film)
         }),
         ("pellicle_film_info", |handles, out| unsafe {
             let info = out.bytes.as_mut_ptr().cast();

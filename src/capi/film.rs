@@ -36,7 +36,8 @@ pub fn film_handle(film: Arc<Film>, simd_level: Option<&str>) -> Result<*mut Pel
     handle_under(Traps::NONE, film, simd_level)
 }
 
-fn handle_under(
+/// A handle with one reference, which calls use under the traps of its maker.
+pub(super) fn handle_under(
     traps: Traps,
     film: Arc<Film>,
     simd_level: Option<&str>,

@@ -1,7 +1,7 @@
 //! The compiled form of a film.
 
 use super::fringe_series::series::FringeSeries;
-use super::method::compiled_method::CompiledMethod;
+use super::method::compiled_method::{CompiledMethod, Ingredients};
 use super::table::two_sided::TwoSidedTables;
 use crate::optics::stack::Side;
 
@@ -14,7 +14,7 @@ pub(super) enum Evaluator {
     /// Tables, which most films have. They are looked up without a virtual call, and in lanes.
     Tables(TwoSidedTables),
     /// A method that knows the reflectance from the ambient's side alone.
-    Method(Box<dyn CompiledMethod<f32>>),
+    Method(MethodEvaluator),
     /// The series is summed at every call.
     Series(FringeSeries),
     /// The reference is evaluated at every call.
@@ -34,4 +34,10 @@ impl Evaluator {
             Self::Method(_) | Self::Reference => None,
         }
     }
+}
+
+/// A method, and what it was made from.
+pub(super) struct MethodEvaluator {
+    pub compiled: Box<dyn CompiledMethod<f32>>,
+    pub ingredients: Ingredients,
 }

@@ -43,20 +43,41 @@ impl Film {
     /// take such a film), `OutOfMemory`.
     pub fn new(description: &FilmDescription) -> Result<Self, Error> {
         description.check()?;
+        let reference = Self::reference_of(description)?;
+        let weights = ChannelWeights::new(description.white, description.color_space);
+        let attenuation_per_mm = attenuation_per_mm(&description.base, &weights)?;
+        let (evaluator, plan) = plan(description, &reference)?;
+        Ok(Self::of_parts(
+            description.clone(),
+            reference,
+            attenuation_per_mm,
+            evaluator,
+            plan,
+        ))
+    }
+
+    /// The reference of a valid description.
+    #[inline(never)]
+    pub(super) fn reference_of(description: &FilmDescription) -> Result<Reference, Error> {
         let layers = description.layers.iter().map(|layer| layer.medium.clone());
-        let reference = Reference::new(
+        Reference::new(
             description.ambient.clone(),
             layers.collect(),
             description.base.clone(),
             description.white,
             description.color_space,
-        )?;
-        let weights = ChannelWeights::new(description.white, description.color_space);
-        let attenuation_per_mm = attenuation_per_mm(&description.base, &weights)?;
-        let (evaluator, plan) = plan(description, &reference)?;
-        Ok(Self {
+        )
+    }
+
+    pub(super) fn of_parts(
+        description: FilmDescription,
+        reference: Reference,
+        attenuation_per_mm: Rgb<f64>,
+        evaluator: Evaluator,
+        plan: FilmPlan,
+    ) -> Self {
+        Self {
             attenuation_per_mm,
-            description: description.clone(),
             evaluator,
             plan,
             thickness_nm: description.varying_range().map(|x| x as f32),
@@ -66,7 +87,8 @@ impl Film {
             } else {
                 description.range_nm()
             },
-        })
+            description,
+        }
     }
 
     /// [`FilmDescription::check_wavelength`], quick for wavelengths that are allowed.
@@ -167,7 +189,7 @@ impl Film {
     fn unclipped(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
         match &self.evaluator {
             Evaluator::Tables(tables) => tables.reflectance(cos_theta, thickness_nm),
-            Evaluator::Method(method) => method.reflectance(cos_theta, thickness_nm),
+            Evaluator::Method(method) => method.compiled.reflectance(cos_theta, thickness_nm),
             Evaluator::Series(_) | Evaluator::Reference => {
                 self.unclipped_colors(Side::Ambient, cos_theta, thickness_nm)
                     .reflectance

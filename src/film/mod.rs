@@ -17,6 +17,7 @@ mod film;
 mod fringe_series;
 mod method;
 mod plan;
+mod saving;
 mod spectra;
 mod table;
 mod tabulated;
@@ -38,4 +39,6 @@ pub use method::registry::METHODS;
 #[doc(hidden)]
 pub use method::registry::OneLayerMethod;
 pub use plan::film_plan::{DIRECTION_NM, FilmPlan, SidePlan};
+#[doc(hidden)]
+pub use saving::resealed;
 pub(crate) use spectra::Ray;

@@ -8,6 +8,7 @@
 )]
 
 mod arctangent;
+pub(crate) mod bytes;
 mod columns;
 mod elementary;
 mod error_function;

@@ -16,6 +16,13 @@ impl<T: Copy> TableEntry<T> {
         Self([r, g, b, b])
     }
 
+    /// The colour.
+    #[inline(always)]
+    pub(crate) fn channels(&self) -> [T; 3] {
+        let [r, g, b, _] = self.0;
+        [r, g, b]
+    }
+
     /// The entry with another type of number.
     pub fn cast<U: Copy>(&self, to: impl Fn(T) -> U) -> TableEntry<U> {
         let [r, g, b, _] = self.0;

@@ -4,6 +4,7 @@ use super::color::VISIBLE_NM;
 use super::media::NamedMedium;
 use super::{Complex, RGB_WAVELENGTHS_NM};
 use crate::error::Error;
+use crate::num::bytes::{ByteReader, ByteWriter, unusable};
 use crate::num::{F64x4, Real};
 
 /// The range of eta that a caller may give. The least value is far below that of any metal and keeps the
@@ -28,6 +29,11 @@ enum Kind {
         index: Box<[Complex<f64>]>,
     },
 }
+
+/// How a saved medium begins, by its kind.
+const NAMED: u8 = 0;
+const RGB: u8 = 1;
+const TABLE: u8 = 2;
 
 impl Medium {
     /// Vacuum: eta = 1, k = 0.
@@ -195,6 +201,53 @@ impl Medium {
             Kind::Rgb(index) if all_equal(index).is_some() => [0.0, f64::INFINITY],
             Kind::Rgb(_) => VISIBLE_NM,
             Kind::Table { lambda_nm, .. } => [lambda_nm[0], lambda_nm[lambda_nm.len() - 1]],
+        }
+    }
+
+    /// Writes the medium for [`Medium::load`] of the same build: a named one is its number in the list.
+    pub(crate) fn save(&self, block: &mut ByteWriter) {
+        match &self.0 {
+            Kind::Named(named) => {
+                let number = NamedMedium::all().iter().position(|m| m.name == named.name);
+                block.byte(NAMED);
+                block.byte(number.unwrap_or_default() as u8);
+            }
+            Kind::Rgb(index) => {
+                block.byte(RGB);
+                block.numbers(&index.map(|index| index.re));
+                block.numbers(&index.map(|index| index.im));
+            }
+            Kind::Table { lambda_nm, index } => {
+                block.byte(TABLE);
+                block.count(lambda_nm.len());
+                for (nm, index) in lambda_nm.iter().zip(index) {
+                    block.numbers(&[*nm, index.re, index.im]);
+                }
+            }
+        }
+    }
+
+    /// Reads a medium. Fails as [`Medium::rgb`] and [`Medium::table`] do, and if there is no memory.
+    pub(crate) fn load(block: &mut ByteReader<'_>) -> Result<Self, Error> {
+        match block.choice(&[NAMED, RGB, TABLE])? {
+            NAMED => {
+                let named = NamedMedium::all().get(usize::from(block.byte()?));
+                let named = named.ok_or_else(|| unusable("a medium is unknown"))?;
+                Ok(Self(Kind::Named(named)))
+            }
+            RGB => Self::rgb(block.numbers()?, block.numbers()?),
+            _ => {
+                let count = block.count(size_of::<[f64; 3]>(), usize::MAX)?;
+                let column = || Error::reserve(count, "a table of measured indices");
+                let mut columns = [column()?, column()?, column()?];
+                for _ in 0..count {
+                    for (column, number) in columns.iter_mut().zip(block.numbers::<3>()?) {
+                        column.push(number);
+                    }
+                }
+                let [nm, eta, k] = columns;
+                Self::table(&nm, &eta, &k)
+            }
         }
     }
 

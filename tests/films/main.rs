@@ -17,5 +17,6 @@ mod plan;
 mod plan_cases;
 mod plan_refusals;
 mod precision;
+mod saving;
 mod sides;
 mod table_limit;

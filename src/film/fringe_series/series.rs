@@ -2,11 +2,13 @@
 
 use super::angle::{ChannelSums, StackAtAngle, Truncation, Wavenumbers};
 use super::cells;
-use super::spectrum::Spectrum;
+use super::spectrum::{Node, Spectrum};
 use super::terms::StackMedia;
 use crate::error::Error;
 use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;
+use crate::film::wavenumbers::equidistant;
+use crate::num::bytes::{ByteReader, ByteWriter, unusable};
 use crate::num::{F64x4, widest};
 use crate::optics::stack::{Incidence, S, Side};
 use crate::optics::{ChannelWeights, Complex, Medium, VISIBLE_NM, branches_nm};
@@ -22,6 +24,8 @@ const BEAMS_NS: f64 = 120.0;
 const LAYER_NS: f64 = 60.0;
 /// The number of parts of the spectrum over which the path of the fringes is taken.
 const PATH_PARTS: usize = 6;
+/// The greatest number of wavenumbers of a series that is loaded.
+const MOST_LOADED: usize = 1 << 14;
 /// The number of stacks that a single look-up has in memory at a time.
 const BLOCK: usize = 4;
 /// Smaller cosines are replaced by this one: there a stack either mirrors or is no stack.
@@ -111,6 +115,11 @@ impl FringeSeries {
     /// A series with `count` wavenumbers, at least 2. It fails if there is no memory.
     pub(in crate::film) fn new(description: &FilmDescription, count: usize) -> Result<Self, Error> {
         let weights = ChannelWeights::new(description.white, description.color_space);
+        Self::of_nodes(description, &equidistant(&weights, count, 0.0))
+    }
+
+    fn of_nodes(description: &FilmDescription, nodes: &[Node]) -> Result<Self, Error> {
+        let weights = ChannelWeights::new(description.white, description.color_space);
         let layers = &description.layers;
         let ranges: Vec<_> = layers.iter().map(|l| l.thickness_nm).collect();
         let media: Vec<_> = std::iter::once(&description.ambient)
@@ -118,7 +127,7 @@ impl FringeSeries {
             .chain(std::iter::once(&description.base))
             .cloned()
             .collect();
-        let spectrum = Spectrum::equidistant(&media, &weights, count)?;
+        let spectrum = Spectrum::equidistant(&media, nodes)?;
         let thickest = || {
             (0..ranges.len()).max_by(|&a, &b| {
                 let path = |i: usize| ranges[i][1] * spectrum.index(0, i + 1, media.len()).re;
@@ -153,6 +162,39 @@ impl FringeSeries {
                 .map(|nm| 1.0 / nm)
                 .collect(),
         })
+    }
+
+    /// Writes the wavenumbers and their weights, which take longer to find than all else that a series has.
+    pub(in crate::film) fn save(&self, block: &mut ByteWriter) {
+        block.flag(self.is_graded);
+        block.count(self.len());
+        for node in 0..self.len() {
+            let (sigma, [r, g, b]) = self.spectrum.node(node);
+            block.numbers(&[sigma, r, g, b]);
+        }
+    }
+
+    /// Reads the series of a film.
+    pub(in crate::film) fn load(
+        block: &mut ByteReader<'_>,
+        description: &FilmDescription,
+    ) -> Result<Self, Error> {
+        let is_graded = block.flag()?;
+        let count = block.count(size_of::<[f64; 4]>(), MOST_LOADED)?;
+        let mut nodes: Vec<Node> = Error::reserve(count, "a film's series")?;
+        let mut least = 1.0 / VISIBLE_NM[1];
+        for _ in 0..count {
+            let sigma = block.number_within("a wavenumber", [least, 1.0 / VISIBLE_NM[0]])?;
+            let weights = [(); 3].map(|()| block.number_within("a weight", [-1e3, 1e3]));
+            let [r, g, b] = weights;
+            nodes.push((sigma, [r?, g?, b?]));
+            least = sigma.next_up();
+        }
+        if count < 2 {
+            return Err(unusable("a series has fewer than 2 wavenumbers"));
+        }
+        let series = Self::of_nodes(description, &nodes)?;
+        Ok(if is_graded { series.graded() } else { series })
     }
 
     /// The same series with wavenumbers that resolve the resonances of all layers but the summed one, at every angle.

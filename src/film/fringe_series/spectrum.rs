@@ -2,7 +2,6 @@
 
 use super::angle::Wavenumbers;
 use crate::error::Error;
-use crate::film::wavenumbers::equidistant;
 use crate::num::{F64x4, Rgb};
 use crate::optics::{ChannelWeights, Complex, Medium, VISIBLE_NM};
 
@@ -33,15 +32,10 @@ pub(super) struct Spectrum {
 pub(super) type Node = (f64, Rgb<f64>);
 
 impl Spectrum {
-    /// `count` equidistant wavenumbers, at least 2. It fails if there is no memory.
-    pub fn equidistant(
-        media: &[Medium],
-        weights: &ChannelWeights,
-        count: usize,
-    ) -> Result<Self, Error> {
-        let nodes = equidistant(weights, count, 0.0);
+    /// Of equidistant wavenumbers, at least 2. It fails if there is no memory.
+    pub fn equidistant(media: &[Medium], nodes: &[Node]) -> Result<Self, Error> {
         let spacing = nodes[1].0 - nodes[0].0;
-        Self::of_nodes(media, &nodes, spacing)
+        Self::of_nodes(media, nodes, spacing)
     }
 
     /// About `count` wavenumbers, equidistant between the branch points of the spectrum, so that square roots there
@@ -115,6 +109,16 @@ impl Spectrum {
     /// Wavenumber `node`, per nm.
     pub fn sigma(&self, node: usize) -> f64 {
         self.wavenumbers[node / F64x4::COUNT].sigma.to_array()[node % F64x4::COUNT]
+    }
+
+    /// Wavenumber `node` with its weights.
+    pub fn node(&self, node: usize) -> Node {
+        let weights = &self.wavenumbers[node / F64x4::COUNT].weights;
+        let lane = node % F64x4::COUNT;
+        (
+            self.sigma(node),
+            std::array::from_fn(|c| weights[c].to_array()[lane]),
+        )
     }
 
     /// The index of a medium at wavenumber `node`, of `media` media.

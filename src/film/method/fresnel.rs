@@ -19,13 +19,12 @@ pub(super) const INFO: MethodInfo = MethodInfo {
     takes_words: "a dielectric base of one index without coating, and no transmittance",
     allowed_error: |tolerance| tolerance,
     reason: "nothing is coated, and Fresnel's equations are exact",
-    compile: Compile::Film(|planner| {
-        let description = planner.description;
+    compile: Compile::BareBase(|description, _| {
         let [ambient, base] =
             [&description.ambient, &description.base].map(|medium| medium.index(550.0).re);
         let eta = (base / ambient) as f32;
         let size = format!("relative index {eta}");
-        Ok(Some(planner.measured(Box::new(FresnelBase { eta }), size)))
+        (Box::new(FresnelBase { eta }), size)
     }),
 };
 

@@ -1,9 +1,10 @@
 //! The description of a method, for the planner.
 
-use super::compiled_method::CompiledMethod;
+use super::compiled_method::{CompiledMethod, Ingredients};
 use super::one_layer::OneLayer;
 use crate::error::Error;
 use crate::film::description::FilmDescription;
+use crate::film::evaluator::MethodEvaluator;
 use crate::film::plan::planner::{Candidate, Planner};
 use crate::film::plan::points::critical_angles;
 use crate::num::Rgb;
@@ -37,9 +38,14 @@ pub(in crate::film) struct MethodInfo {
 pub(in crate::film) enum Compile {
     /// For a film of one layer.
     OneLayer(OneLayerCompile),
+    /// For a bare base, of its reflectance at normal incidence; and the size in words.
+    BareBase(fn(&FilmDescription, Rgb<f32>) -> MethodInWords),
     /// For any film that the method takes; `None` if it cannot hold the tolerance.
     Film(fn(&Planner<'_>) -> Result<Option<Candidate>, Error>),
 }
+
+/// A compiled method, and its size in words.
+type MethodInWords = (Box<dyn CompiledMethod<f32>>, String);
 
 /// A constructor for a film of one layer and a size. It fails if the size is out of range.
 type Constructor<T> = fn(&OneLayer, usize) -> Result<Box<dyn CompiledMethod<T>>, Error>;
@@ -80,20 +86,52 @@ impl MethodInfo {
         planner: &Planner<'_>,
         size: usize,
     ) -> Result<Option<Candidate>, Error> {
-        match &self.compile {
-            Compile::OneLayer(compile) => {
-                let method = OneLayerFilm::new(planner.description, compile, size)?;
-                let mut candidate = planner.measured(Box::new(method), (compile.work)(size));
-                if self.is_automatic {
-                    // Where few points are measured, none need lie where a line of a table shows.
-                    let unresolved = planner.description.unresolved(size)?;
-                    let max = &mut candidate.errors[0].max;
-                    *max = max.max(unresolved);
-                }
-                Ok(Some(candidate))
-            }
-            Compile::Film(compile) => compile(planner),
+        let description = planner.description;
+        let mut ingredients = Ingredients {
+            size,
+            normal: [0.0; 3],
+        };
+        if let Compile::BareBase(_) = self.compile {
+            let thicknesses = description.thicknesses(0.0);
+            let found = planner.reference.evaluate(Side::Ambient, 1.0, &thicknesses);
+            ingredients.normal = found.reflectance.map(|channel| channel as f32);
         }
+        let Some((method, size)) = self.made_from(description, ingredients)? else {
+            return match &self.compile {
+                Compile::Film(compile) => compile(planner),
+                _ => Ok(None),
+            };
+        };
+        let mut candidate = planner.measured(method, size);
+        if self.is_automatic && matches!(self.compile, Compile::OneLayer(_)) {
+            // Where few points are measured, none need lie where a line of a table shows.
+            let unresolved = description.unresolved(ingredients.size)?;
+            let max = &mut candidate.errors[0].max;
+            *max = max.max(unresolved);
+        }
+        Ok(Some(candidate))
+    }
+
+    /// The method for a film that it takes, and its size in words; `None` if it takes more than ingredients.
+    pub(in crate::film) fn made_from(
+        &self,
+        description: &FilmDescription,
+        ingredients: Ingredients,
+    ) -> Result<Option<(MethodEvaluator, String)>, Error> {
+        let size = ingredients.size;
+        let (compiled, size): MethodInWords = match &self.compile {
+            Compile::OneLayer(compile) => (
+                Box::new(OneLayerFilm::new(description, compile, size)?),
+                (compile.work)(size),
+            ),
+            Compile::BareBase(make) => make(description, ingredients.normal),
+            Compile::Film(_) => return Ok(None),
+        };
+        let method = MethodEvaluator {
+            compiled,
+            ingredients,
+        };
+        Ok(Some((method, size)))
     }
 }
 

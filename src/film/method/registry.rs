@@ -103,7 +103,9 @@ impl OneLayerMethod {
     fn constructors(self) -> &'static OneLayerCompile {
         match &self.info().compile {
             Compile::OneLayer(compile) => compile,
-            Compile::Film(_) => unreachable!("all of these are for one layer"),
+            Compile::BareBase(_) | Compile::Film(_) => {
+                unreachable!("all of these are for one layer")
+            }
         }
     }
 

@@ -4,7 +4,6 @@ use super::compiled_method::CompiledMethod;
 use super::info::{Compile, MethodInfo};
 use crate::film::description::FilmDescription;
 use crate::num::Rgb;
-use crate::optics::stack::Side;
 use crate::optics::{Medium, schlick};
 
 /// Schlick's approximation, which takes three numbers.
@@ -17,14 +16,7 @@ pub(super) const INFO: MethodInfo = MethodInfo {
     takes_words: "a base without coating, and no transmittance",
     allowed_error: |tolerance| tolerance,
     reason: "nothing is coated, and no cheaper method exists",
-    compile: Compile::Film(|planner| {
-        let thicknesses = planner.description.thicknesses(0.0);
-        let found = planner.reference.evaluate(Side::Ambient, 1.0, &thicknesses);
-        let method = SchlickBase(found.reflectance.map(|x| x as f32));
-        Ok(Some(
-            planner.measured(Box::new(method), "three numbers".into()),
-        ))
-    }),
+    compile: Compile::BareBase(|_, normal| (Box::new(SchlickBase(normal)), "three numbers".into())),
 };
 
 /// Schlick 1994, eq. 15, from the colour at normal incidence.

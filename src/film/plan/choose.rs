@@ -1,6 +1,6 @@
 //! The choice of a method.
 
-use super::film_plan::{DIRECTION_NM, FilmPlan, SidePlan};
+use super::film_plan::{FilmPlan, SidePlan};
 use super::planner::{Candidate, Planner};
 use crate::error::Error;
 use crate::film::description::FilmDescription;
@@ -34,7 +34,6 @@ pub(in crate::film) fn plan(
                 of_tables.unwrap_or_else(|| (method.cost_ns)(size))
             });
             let (series, errors) = (&planner.series, &candidate.errors);
-            let half_spaces = [&description.ambient, &description.base];
             let plan = FilmPlan {
                 method: method.name,
                 tolerance,
@@ -43,7 +42,7 @@ pub(in crate::film) fn plan(
                 bytes: candidate.bytes,
                 reason: reason(&candidate.size, method, forced.is_some()),
                 sides: SidePlan::both(description, series, method.name, errors, cost_ns),
-                eta: half_spaces.map(|medium| medium.index(DIRECTION_NM).re),
+                eta: FilmPlan::eta_of(description),
             };
             return Ok((candidate.evaluator, plan));
         }

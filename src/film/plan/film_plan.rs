@@ -52,6 +52,14 @@ pub struct SidePlan {
     pub absorbed_max: f64,
 }
 
+impl FilmPlan {
+    /// [`FilmPlan::eta`] of a film.
+    pub(in crate::film) fn eta_of(description: &FilmDescription) -> [f64; 2] {
+        let half_spaces = [&description.ambient, &description.base];
+        half_spaces.map(|medium| medium.index(DIRECTION_NM).re)
+    }
+}
+
 impl SidePlan {
     /// The plans of both sides of a film.
     pub(super) fn both(

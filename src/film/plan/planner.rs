@@ -4,9 +4,8 @@ use super::converge::converged;
 use super::points::{points, points_near_critical_angles};
 use crate::error::Error;
 use crate::film::description::FilmDescription;
-use crate::film::evaluator::Evaluator;
+use crate::film::evaluator::{Evaluator, MethodEvaluator};
 use crate::film::fringe_series::series::FringeSeries;
-use crate::film::method::compiled_method::CompiledMethod;
 use crate::film::table::errors::Errors;
 use crate::film::table::task::FitLimits;
 use crate::num::Rgb;
@@ -91,14 +90,13 @@ impl<'a> Planner<'a> {
     }
 
     /// Measures a method against the reflectance from the ambient's side.
-    pub(in crate::film) fn measured(
-        &self,
-        method: Box<dyn CompiledMethod<f32>>,
-        size: String,
-    ) -> Candidate {
+    pub(in crate::film) fn measured(&self, method: MethodEvaluator, size: String) -> Candidate {
         let mut errors = Errors::default();
         for &(c, d, truth) in self.truth() {
-            let found = method.reflectance(c as f32, d as f32).map(f64::from);
+            let found = method
+                .compiled
+                .reflectance(c as f32, d as f32)
+                .map(f64::from);
             errors.add(found, truth, self.limits.unclipped);
         }
         Candidate {

@@ -1,7 +1,9 @@
 //! The coordinates of a table, in which the reflectance of a film is smooth and which are cheap to
 //! compute.
 
+use crate::error::Error;
 use crate::num::Lane;
+use crate::num::bytes::{ByteReader, ByteWriter, unusable};
 
 /// Maps (cosine, thickness) to the unit square. With d the thickness above the least one:
 ///
@@ -30,6 +32,7 @@ pub(in crate::film) struct Axes {
     fade: f64,
     /// 1 + 1 / fade, with the fade per range.
     stretch: f64,
+    params: AxisParams,
 }
 
 /// Thickness, nm: if `least` is below this, colours at thickness 0 are the limit of those of ever
@@ -52,6 +55,34 @@ pub(in crate::film) struct AxisParams {
     pub fade: f64,
 }
 
+impl AxisParams {
+    pub(in crate::film) fn save(&self, block: &mut ByteWriter) {
+        let Self {
+            scale,
+            least,
+            half,
+            tilt,
+            fade,
+        } = *self;
+        block.numbers(&[scale, least, half, tilt, fade]);
+    }
+
+    /// Reads parameters with which coordinates neither overflow nor vanish.
+    pub(in crate::film) fn load(block: &mut ByteReader<'_>) -> Result<Self, Error> {
+        let loaded = Self {
+            scale: block.number_within("the scale of an axis", [1e-4, 1e4])?,
+            least: block.number_within("the least thickness of an axis", [1e-12, 1e6])?,
+            half: block.number_within("the half thickness of an axis", [1e-12, 1e6])?,
+            tilt: block.number_within("the tilt of an axis", [0.0, 0.95])?,
+            fade: block.number_within("the fade of an axis", [1e-4, 1e6])?,
+        };
+        if loaded.least > loaded.half {
+            return Err(unusable("the thicknesses of an axis are reversed"));
+        }
+        Ok(loaded)
+    }
+}
+
 impl Axes {
     /// For thicknesses in a range, nm.
     pub(in crate::film) fn new(params: AxisParams, [min, max]: [f64; 2]) -> Self {
@@ -66,7 +97,12 @@ impl Axes {
             from: min,
             fade: params.fade / range,
             stretch: 1.0 + 1.0 / params.fade,
+            params,
         }
+    }
+
+    pub(in crate::film) fn params(&self) -> AxisParams {
+        self.params
     }
 
     fn upright(&self, cos_theta: f64) -> f64 {

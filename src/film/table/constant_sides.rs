@@ -11,6 +11,7 @@ use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;
 use crate::film::fringe_series::series::FringeSeries;
 use crate::num::Rgb;
+use crate::num::bytes::{ByteReader, ByteWriter};
 use crate::optics::stack::Side;
 
 /// The time of finding the zone and the cosine in the rarer half-space, ns.
@@ -54,26 +55,16 @@ impl ConstantSides {
         limits: FitLimits,
     ) -> Result<Option<(Self, [Errors; 2])>, Error> {
         let is_opaque = description.is_base_opaque();
-        let [ambient, base] =
-            [&description.ambient, &description.base].map(|medium| medium.index(MIDDLE_NM).re);
-        let rarer = if is_opaque || ambient <= base {
-            Side::Ambient
-        } else {
-            Side::Base
-        };
+        let (rarer, ratio) = rarer_side(description);
         let denser = match rarer {
             Side::Ambient => Side::Base,
             Side::Base => Side::Ambient,
         };
-        let ratio = if is_opaque {
-            1.0
-        } else {
-            (ambient.max(base) / ambient.min(base)).powi(2)
+        let rare_medium = match rarer {
+            Side::Ambient => &description.ambient,
+            Side::Base => &description.base,
         };
-        let (rare_medium, rare_index) = match rarer {
-            Side::Ambient => (&description.ambient, ambient),
-            Side::Base => (&description.base, base),
-        };
+        let rare_index = rare_medium.index(MIDDLE_NM).re;
         let mut sampler = SeriesSampler::new(series);
         let mut errors = [Errors::default(); 2];
         let below = || Over::Cosine(rare_index, centres(description, rare_medium, None));
@@ -160,6 +151,38 @@ impl ConstantSides {
             beyond,
         };
         Ok(Some((tables, errors)))
+    }
+
+    /// Writes the tables.
+    pub(super) fn save(&self, block: &mut ByteWriter) {
+        let Self {
+            front,
+            ratio: _,
+            rarer: _,
+            through,
+            back,
+            beyond,
+        } = self;
+        front.save(block);
+        for table in [through, back, beyond] {
+            FilmTable::save_optional(table.as_deref(), block);
+        }
+    }
+
+    /// Reads the tables of a film.
+    pub(super) fn load(
+        block: &mut ByteReader<'_>,
+        description: &FilmDescription,
+    ) -> Result<Self, Error> {
+        let (rarer, ratio) = rarer_side(description);
+        Ok(Self {
+            front: FilmTable::load(block, description)?,
+            ratio,
+            rarer,
+            through: FilmTable::load_optional(block, description)?,
+            back: FilmTable::load_optional(block, description)?,
+            beyond: FilmTable::load_optional(block, description)?,
+        })
     }
 
     /// The table of the reflectance from the ambient's side, if it is over the cosine there.
@@ -257,4 +280,21 @@ impl ConstantSides {
         let table = self.beyond.as_ref();
         table.map_or([1.0; 3], |table| table.at(t, thickness_nm))
     }
+}
+
+/// The half-space of the smaller index, and the square of the ratio of the indices. A base that is opaque counts as of
+/// the same index.
+#[inline(never)]
+fn rarer_side(description: &FilmDescription) -> (Side, f64) {
+    if description.is_base_opaque() {
+        return (Side::Ambient, 1.0);
+    }
+    let [ambient, base] =
+        [&description.ambient, &description.base].map(|medium| medium.index(MIDDLE_NM).re);
+    let rarer = if ambient <= base {
+        Side::Ambient
+    } else {
+        Side::Base
+    };
+    (rarer, (ambient.max(base) / ambient.min(base)).powi(2))
 }

@@ -1,6 +1,8 @@
 //! A coordinate for cosines at which the colours change within narrow intervals: around the critical angles.
 
+use crate::error::Error;
 use crate::film::description::FilmDescription;
+use crate::num::bytes::{ByteReader, ByteWriter, unusable};
 use crate::optics::{Medium, VISIBLE_NM};
 
 /// Wavenumbers at which the critical cosines are looked at.
@@ -20,6 +22,8 @@ const WIDE: f64 = 0.02;
 const ABSORBING: f64 = 0.05;
 /// The greatest number of critical angles that are told apart.
 const MOST_CENTRES: usize = 4;
+/// The greatest number of centres of an axis that is loaded, with [`Centre::GRAZING`].
+const MOST_LOADED: usize = MOST_CENTRES + 1;
 /// The least cosine in a layer by which fringes are made upright.
 const LEAST_UPRIGHT: f64 = 0.2;
 const HALVINGS: usize = 60;
@@ -76,6 +80,38 @@ impl CriticalAxis {
     /// The number of critical angles.
     pub fn centres(&self) -> usize {
         self.centres.len()
+    }
+
+    pub fn save(&self, block: &mut ByteWriter) {
+        let Self {
+            centres,
+            first: _,
+            scale: _,
+            tilt,
+        } = self;
+        block.count(centres.len());
+        for Centre { cosine, width } in centres {
+            block.numbers(&[*cosine, *width]);
+        }
+        block.numbers(&[*tilt]);
+    }
+
+    /// Reads an axis.
+    pub fn load(block: &mut ByteReader<'_>) -> Result<Self, Error> {
+        let count = block.count(size_of::<[f64; 2]>(), MOST_LOADED)?;
+        if count == 0 {
+            return Err(unusable("an axis has no centre"));
+        }
+        let mut centres = Error::reserve(count, "a film's axis")?;
+        for _ in 0..count {
+            centres.push(Centre {
+                cosine: block.number_within("a critical cosine", [0.0, 1.0])?,
+                width: block.number_within("the width of a critical angle", [1e-9, 1.0])?,
+            });
+        }
+        // The square of a ratio of two indices.
+        let tilt = block.number_within("the tilt of an axis", [0.0, 1e12])?;
+        Ok(Self::new(&centres, tilt))
     }
 
     /// The coordinate of a cosine.

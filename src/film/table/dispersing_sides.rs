@@ -11,6 +11,7 @@ use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;
 use crate::film::fringe_series::series::FringeSeries;
 use crate::num::Rgb;
+use crate::num::bytes::{ByteReader, ByteWriter};
 use crate::optics::stack::Side;
 
 /// One or two tables for each side that light is asked for from, over the cosine there: the critical angles are smeared
@@ -55,6 +56,30 @@ impl DispersingSides {
             None
         };
         Ok(Some((Self { front, back }, errors)))
+    }
+
+    /// Writes the tables.
+    pub(super) fn save(&self, block: &mut ByteWriter) {
+        let Self { front, back } = self;
+        front.save(block);
+        block.flag(back.is_some());
+        if let Some(back) = back {
+            back.save(block);
+        }
+    }
+
+    /// Reads the tables of a film.
+    pub(super) fn load(
+        block: &mut ByteReader<'_>,
+        description: &FilmDescription,
+    ) -> Result<Self, Error> {
+        let front = OneSide::load(block, description)?;
+        let back = if block.flag()? {
+            Some(Box::new(OneSide::load(block, description)?))
+        } else {
+            None
+        };
+        Ok(Self { front, back })
     }
 
     #[inline(always)]
@@ -146,6 +171,22 @@ impl OneSide {
     fn cost_ns(&self) -> f64 {
         let transmittance = self.transmittance.as_ref();
         self.reflectance.cost_ns() + transmittance.map_or(0.0, |table| table.cost_ns())
+    }
+
+    fn save(&self, block: &mut ByteWriter) {
+        let Self {
+            reflectance,
+            transmittance,
+        } = self;
+        reflectance.save(block);
+        FilmTable::save_optional(transmittance.as_deref(), block);
+    }
+
+    fn load(block: &mut ByteReader<'_>, description: &FilmDescription) -> Result<Self, Error> {
+        Ok(Self {
+            reflectance: FilmTable::load(block, description)?,
+            transmittance: FilmTable::load_optional(block, description)?,
+        })
     }
 
     fn colors(&self, cos_theta: f32, thickness_nm: f32) -> Colors {

@@ -9,6 +9,7 @@ use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits, FitTask};
 use crate::error::Error;
 use crate::film::description::FilmDescription;
+use crate::num::bytes::{ByteReader, ByteWriter};
 use crate::num::{Lane, Rgb};
 
 /// The greatest number of values of one spline around critical angles: patches need fewer where it would need more.
@@ -28,6 +29,7 @@ const GREATEST_TILT: f64 = 0.9;
 
 /// A table, with the coordinate of its cosines where that is not the cosine itself.
 #[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant)] // most tables are plain, and one pointer less is followed
 pub(super) enum FilmTable {
     /// One spline over the cosine.
     Plain(SplineTable),
@@ -51,6 +53,11 @@ enum Shape {
     /// Patches over the axis and the root of the path's part of its range.
     Patches(Patches),
 }
+
+/// How a saved table begins, by its kind.
+const PLAIN: u8 = 0;
+const WARPED: u8 = 1;
+const PATCHES: u8 = 2;
 
 /// What a table is over, besides the thickness.
 pub(super) enum Over {
@@ -127,6 +134,66 @@ impl FilmTable {
             Self::Plain(spline) => Some(spline),
             Self::Warped(_) => None,
         }
+    }
+
+    pub fn save(&self, block: &mut ByteWriter) {
+        match self {
+            Self::Plain(spline) => {
+                block.byte(PLAIN);
+                spline.save(block);
+            }
+            Self::Warped(warped) => {
+                let Warped {
+                    axis,
+                    range: _,
+                    shape,
+                } = &**warped;
+                block.byte(match shape {
+                    Shape::Spline(_) => WARPED,
+                    Shape::Patches(_) => PATCHES,
+                });
+                axis.save(block);
+                match shape {
+                    Shape::Spline(spline) => spline.save(block),
+                    Shape::Patches(patches) => patches.save(block),
+                }
+            }
+        }
+    }
+
+    /// Reads a table of a film.
+    pub fn load(block: &mut ByteReader<'_>, description: &FilmDescription) -> Result<Self, Error> {
+        let range = table_range(description.varying_range());
+        let kind = block.choice(&[PLAIN, WARPED, PATCHES])?;
+        if kind == PLAIN {
+            return Ok(Self::Plain(SplineTable::load(block, range)?));
+        }
+        let axis = CriticalAxis::load(block)?;
+        let shape = if kind == WARPED {
+            Shape::Spline(SplineTable::load(block, range)?)
+        } else {
+            Shape::Patches(Patches::load(block)?)
+        };
+        Ok(Self::Warped(Box::new(Warped { axis, range, shape })))
+    }
+
+    /// Writes a table that may be missing.
+    pub fn save_optional(table: Option<&Self>, block: &mut ByteWriter) {
+        block.flag(table.is_some());
+        if let Some(table) = table {
+            table.save(block);
+        }
+    }
+
+    /// Reads a table that may be missing.
+    pub fn load_optional(
+        block: &mut ByteReader<'_>,
+        description: &FilmDescription,
+    ) -> Result<Option<Box<Self>>, Error> {
+        if !block.flag()? {
+            return Ok(None);
+        }
+        Self::load(block, description).map(|table| Some(Box::new(table)))
     }
 
     /// Bytes of the control points.

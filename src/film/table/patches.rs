@@ -4,6 +4,7 @@ use super::errors::Errors;
 use super::spline::{control_points, look_up, reserve};
 use super::task::FitLimits;
 use crate::error::Error;
+use crate::num::bytes::{ByteReader, ByteWriter, unusable};
 use crate::num::spline::FARTHEST;
 use crate::num::{Lane, Rgb, TableEntry};
 
@@ -14,6 +15,8 @@ const ROW: usize = VALUES + 2;
 const FOUND: f64 = 0.5;
 /// A patch is not divided further than this, as a part of the whole.
 const LEAST_EXTENT: f64 = 1e-5;
+/// A saved node that is no halving along an axis.
+const LEAF: u8 = 2;
 
 /// Colours over the unit square. A tree of halvings leads to the patch of a point, each a spline through 9 x 9 values.
 #[derive(Clone, Debug)]
@@ -41,6 +44,21 @@ enum Node {
 struct Patch {
     from: [f64; 2],
     steps: [f64; 2],
+}
+
+impl Patch {
+    fn between(from: [f64; 2], to: [f64; 2]) -> Self {
+        let steps = [0, 1].map(|axis| (VALUES - 1) as f64 / (to[axis] - from[axis]));
+        Self { from, steps }
+    }
+}
+
+/// Where a rectangle is halved along an axis, the greatest corner of its lower half and the least one of its upper half.
+fn halves(from: [f64; 2], to: [f64; 2], axis: usize) -> (f64, [[f64; 2]; 2]) {
+    let middle = 0.5 * (from[axis] + to[axis]);
+    let (mut lower, mut upper) = (to, from);
+    (lower[axis], upper[axis]) = (middle, middle);
+    (middle, [lower, upper])
 }
 
 /// The colours at a point of the unit square, whether they are ever looked up there, and whether they have a tolerance
@@ -93,6 +111,65 @@ impl Patches {
         f32::channels(look_up::<f32>(points, ROW, f32::rgb([x, y, y])))
     }
 
+    /// Writes the halvings, from which nodes and patches follow, and the control points.
+    pub fn save(&self, block: &mut ByteWriter) {
+        let Self {
+            nodes,
+            patches: _,
+            points,
+        } = self;
+        for node in nodes {
+            block.byte(match node {
+                Node::Halved { axis, .. } => *axis as u8,
+                Node::Leaf(_) => LEAF,
+            });
+        }
+        block.colors(points);
+    }
+
+    pub fn load(block: &mut ByteReader<'_>) -> Result<Self, Error> {
+        let mut loaded = Self {
+            nodes: Vec::new(),
+            patches: Vec::new(),
+            points: Vec::new(),
+        };
+        loaded.load_nodes(block, [0.0; 2], [1.0; 2])?;
+        loaded.points = block.colors(loaded.patches.len() * ROW * ROW)?;
+        Ok(loaded)
+    }
+
+    /// Reads the nodes of a rectangle. Rectangles are halved no further than when patches are fitted, which bounds
+    /// the depth.
+    fn load_nodes(
+        &mut self,
+        block: &mut ByteReader<'_>,
+        from: [f64; 2],
+        to: [f64; 2],
+    ) -> Result<(), Error> {
+        let node = self.nodes.len();
+        Error::reserve_more(&mut self.nodes, 1, "a film's table")?;
+        let axis = block.choice(&[0, 1, LEAF])?;
+        if axis == LEAF {
+            self.nodes.push(Node::Leaf(self.patches.len()));
+            Error::reserve_more(&mut self.patches, 1, "a film's table")?;
+            self.patches.push(Patch::between(from, to));
+            return Ok(());
+        }
+        let axis = usize::from(axis);
+        if to[axis] - from[axis] < LEAST_EXTENT {
+            return Err(unusable("a patch is too small"));
+        }
+        self.nodes.push(Node::Leaf(0));
+        let (middle, [lower, upper]) = halves(from, to, axis);
+        self.load_nodes(block, from, lower)?;
+        self.nodes[node] = Node::Halved {
+            axis,
+            at: middle,
+            upper: self.nodes.len(),
+        };
+        self.load_nodes(block, upper, to)
+    }
+
     /// The number of values.
     pub fn len(&self) -> usize {
         self.patches.len() * VALUES * VALUES
@@ -119,10 +196,7 @@ impl PatchFit<'_> {
             return Ok(false);
         }
         let extent = [to[0] - from[0], to[1] - from[1]];
-        let patch = Patch {
-            from,
-            steps: extent.map(|extent| (VALUES - 1) as f64 / extent),
-        };
+        let patch = Patch::between(from, to);
         let at = |i: f64, j: f64| {
             let part = [i, j].map(|i| i / (VALUES - 1) as f64);
             [0, 1].map(|axis| from[axis] + part[axis] * extent[axis])
@@ -163,9 +237,7 @@ impl PatchFit<'_> {
         let axis = self.worse_axis(&points, at, worst, extent);
         let node = self.patches.nodes.len();
         self.patches.nodes.push(Node::Leaf(0));
-        let middle = 0.5 * (from[axis] + to[axis]);
-        let (mut lower, mut upper) = (to, from);
-        (lower[axis], upper[axis]) = (middle, middle);
+        let (middle, [lower, upper]) = halves(from, to, axis);
         if !self.divide(from, lower)? {
             return Ok(false);
         }

@@ -1,8 +1,9 @@
 //! Tables of colours: quadratic splines over one or two coordinates.
 
-use super::axes::{Axes, Coordinates};
+use super::axes::{Axes, AxisParams, Coordinates};
 use crate::error::Error;
-use crate::num::spline::{controls, weights};
+use crate::num::bytes::{ByteReader, ByteWriter, unusable};
+use crate::num::spline::{LEAST_VALUES, controls, weights};
 use crate::num::{INDEX_BIAS, Lane, Real, Rgb, TableBlock, TableEntry, each};
 
 /// Colours over the cosine alone (a film of fixed thickness, or none) or over cosine and thickness.
@@ -16,7 +17,13 @@ pub(in crate::film) struct SplineTable {
     points: Box<[TableEntry<f32>]>,
     /// The length of a row; 0 for a table over the cosine alone.
     row: usize,
+    /// What the coordinates are made from, besides the range of the thickness.
+    params: AxisParams,
 }
+
+/// The greatest number of values along a coordinate of a table that is loaded: positions in single precision are
+/// exact enough to stay within it.
+const MOST_LOADED: usize = 1 << 17;
 
 impl SplineTable {
     /// Over the cosine alone, through values at equal steps of x, at least
@@ -30,6 +37,7 @@ impl SplineTable {
             coordinates: axes.coordinates([values.len() - 1, 0]),
             points: points.into(),
             row: 0,
+            params: axes.params(),
         })
     }
 
@@ -46,7 +54,65 @@ impl SplineTable {
             coordinates: axes.coordinates([width - 1, height - 1]),
             points: control_points(values, width)?.into(),
             row: width + 2,
+            params: axes.params(),
         })
+    }
+
+    pub(in crate::film) fn save(&self, block: &mut ByteWriter) {
+        let Self {
+            coordinates: _,
+            points,
+            row,
+            params,
+        } = self;
+        params.save(block);
+        block.count(points.len() / row.max(&1));
+        block.count(*row);
+        block.colors(points);
+    }
+
+    /// Reads a table whose thickness has that range, nm.
+    pub(in crate::film) fn load(
+        block: &mut ByteReader<'_>,
+        range: [f64; 2],
+    ) -> Result<Self, Error> {
+        let params = AxisParams::load(block)?;
+        let [rows, row] = [block.count(1, MOST_LOADED)?, block.count(0, MOST_LOADED)?];
+        let is_over_cosine = row == 0;
+        let least = LEAST_VALUES + 2;
+        if rows < least || (row < least && !is_over_cosine) {
+            return Err(unusable("a table is too small"));
+        }
+        let (axes, steps) = if is_over_cosine {
+            (Axes::new(params, [0.0; 2]), [rows - 3, 0])
+        } else {
+            (Axes::new(params, range), [row - 3, rows - 3])
+        };
+        let table = Self {
+            coordinates: axes.coordinates(steps),
+            points: block.colors(rows * row.max(1))?.into(),
+            row,
+            params,
+        };
+        table.check_positions(range, steps)?;
+        Ok(table)
+    }
+
+    /// Refuses axes that lead beyond the values. Positions grow with the cosine and with the thickness, so that the
+    /// corners tell.
+    fn check_positions(&self, range: [f64; 2], steps: [usize; 2]) -> Result<(), Error> {
+        let is_within = |position: f32, steps: usize| {
+            (-0.25..=steps as f64 + 0.25).contains(&f64::from(position))
+        };
+        for cos_theta in [0.0, 1.0] {
+            for thickness_nm in range {
+                let [x, y, _] = f32::channels(self.position(cos_theta, thickness_nm as f32));
+                if !is_within(x, steps[0]) || !(self.is_over_cosine() || is_within(y, steps[1])) {
+                    return Err(unusable("the axes of a table do not fit"));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The colours at cosines in [0, 1] and thicknesses within the range, nm; 0 for a table over the

@@ -10,6 +10,7 @@ use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;
 use crate::film::fringe_series::series::FringeSeries;
 use crate::num::Rgb;
+use crate::num::bytes::{ByteReader, ByteWriter};
 use crate::optics::stack::Side;
 
 /// Reflectance and, if the film keeps it, transmittance from both sides.
@@ -35,6 +36,27 @@ impl TwoSidedTables {
         }
         let fitted = ConstantSides::fit(description, series, limits)?;
         Ok(fitted.map(|(sides, errors)| (Self::Constant(sides), errors)))
+    }
+
+    /// Writes the tables.
+    pub(in crate::film) fn save(&self, block: &mut ByteWriter) {
+        block.flag(matches!(self, Self::Dispersing(_)));
+        match self {
+            Self::Constant(sides) => sides.save(block),
+            Self::Dispersing(sides) => sides.save(block),
+        }
+    }
+
+    /// Reads the tables of a film.
+    pub(in crate::film) fn load(
+        block: &mut ByteReader<'_>,
+        description: &FilmDescription,
+    ) -> Result<Self, Error> {
+        if block.flag()? {
+            DispersingSides::load(block, description).map(Self::Dispersing)
+        } else {
+            ConstantSides::load(block, description).map(Self::Constant)
+        }
     }
 
     /// The table of the reflectance from the ambient's side, if it is over the cosine there.

@@ -14,6 +14,7 @@ mod create_bsdf;
 mod create_film;
 mod evaluate;
 mod guarded;
+mod load_film;
 mod outcome;
 mod subjects;
 #[cfg(test)]
@@ -24,11 +25,12 @@ mod texts;
 pub type Target = fn(&[u8]);
 
 /// The functions, by the name of the fuzzer and of the corpus.
-pub const TARGETS: [(&str, Target); 4] = [
+pub const TARGETS: [(&str, Target); 5] = [
     ("batch", batch::run),
     ("create_bsdf", create_bsdf::run),
     ("create_film", create_film::run),
     ("evaluate", evaluate::run),
+    ("load_film", load_film::run),
 ];
 
 /// Runs the target of that name.

@@ -7,11 +7,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Random inputs of each target, beside the corpus.
-const RANDOM: [(&str, usize); 4] = [
+const RANDOM: [(&str, usize); 5] = [
     ("batch", 300),
     ("create_bsdf", 300),
     ("create_film", 100),
     ("evaluate", 3000),
+    ("load_film", 3000),
 ];
 
 fn corpus(target: &str) -> Vec<PathBuf> {
@@ -56,6 +57,29 @@ fn creation_of_films_keeps_the_contract() {
 #[test]
 fn evaluation_keeps_the_contract() {
     replay("evaluate");
+}
+
+#[test]
+fn loading_of_films_keeps_the_contract() {
+    replay("load_film");
+}
+
+/// After a change of what is saved the corpus would be refused unread. `PELLICLE_RENEW=1 cargo test -p pellicle-studies
+/// ffi_fuzz` writes these films anew.
+#[test]
+fn the_corpus_has_films_that_load() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/load_film");
+    for (name, description) in super::load_film::seeds() {
+        let file = folder.join(name);
+        if std::env::var_os("PELLICLE_RENEW").is_some() {
+            fs::create_dir_all(&folder).unwrap();
+            fs::write(&file, super::load_film::input_of(&description)).unwrap();
+        }
+        let data = fs::read(&file).unwrap();
+        assert!(data.len() <= 4096, "{name} is too long for the fuzzer");
+        let block = super::load_film::block(&data);
+        pellicle::Film::from_bytes(&block).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
 }
 
 #[test]
