@@ -26,43 +26,40 @@ void addLens(World &world, float x, const pellicle::FilmBuilder &coat,
     world.add(share(ring(centre, axis, aperture + 0.02f, 0.13f)), mount);
 }
 
-// The paper behind.
+// The chart behind, and the table.
 
-constexpr float back = 1.15f, bend = 0.9f; ///< the distance of its upright part from the lenses, the radius of its bend
+/// So far behind that little of its light comes through the lenses: caustics would be grainy.
+constexpr float distance = 5.5f;
 
-/// A sheet that lies on the table and rises behind the lenses.
-Mesh paper() {
-    constexpr float front = 9, high = 6, half = 14;
-    const float arc = bend * pi / 2, length = front + arc + high;
-    return gridMesh({1, 160}, [=](float u, float v) {
-        const float x = lerp(-half, half, u), along = v * length;
-        if (along < front) return V3f(x, 0, front - back + bend - along);
-        if (along > front + arc) return V3f(x, bend + along - front - arc, -back);
-        const float angle = (along - front) / bend;
-        return V3f(x, bend * (1 - std::cos(angle)), -back + bend * (1 - std::sin(angle)));
-    });
+Mesh chart() {
+    constexpr float half = 14, high = 12;
+    return gridMesh({1, 1}, [=](float u, float v) { return V3f(lerp(-half, half, u), high * v, -distance); });
 }
 
-/// Lines ten to a unit, every tenth a wide one, on the upright part; below it they fade.
+/// Lines ten to a unit, and a wide one in five.
 Pattern ruled() {
-    constexpr float paperGrey = 0.055f, ink = 0.42f, fine = 0.16f;
+    constexpr float ground = 0.03f, fine = 0.13f, wide = 0.4f;
     const auto line = [](float x, float period, float width) {
         const float away = std::fabs(x / period - std::round(x / period)) * period;
-        return 1 - smoothstep(0.7f * width, width, away);
+        return 1 - smoothstep(0.8f * width, width, away);
+    };
+    const auto lines = [line](const V3f &p, float period, float width) {
+        return std::max(line(p.x, period, width), line(p.y, period, width));
     };
     return {3, [=](const SurfacePoint &point, float *rgb) {
                 const V3f &p = point.position;
-                const float wide = std::max(line(p.x, 0.5f, 0.014f), line(p.y, 0.5f, 0.014f));
-                const float narrow = std::max(line(p.x, 0.1f, 0.006f), line(p.y, 0.1f, 0.006f));
-                const float drawn = std::max(ink * wide, fine * narrow) * smoothstep(0.05f, bend, p.y);
-                std::fill_n(rgb, 3, std::max(paperGrey, drawn));
+                const float ink = std::max(wide * lines(p, 0.75f, 0.028f), fine * lines(p, 0.15f, 0.011f));
+                std::fill_n(rgb, 3, std::max(ground, ink));
             }};
 }
 
 std::vector<View> lenses(const Subject &) {
     auto world = std::make_unique<World>();
-    world->add(share(paper()), std::make_shared<Material>(pellicle::BsdfBuilder("lambert"),
+    world->add(share(chart()), std::make_shared<Material>(pellicle::BsdfBuilder("lambert"),
                                                           std::vector<VaryingParameter>{{"reflectance", 0, 1, ruled()}}));
+    world->add(share(square(30)),
+               std::make_shared<Material>(
+                   pellicle::BsdfBuilder("lambert").set("reflectance", 0.012f)));
     const auto mount = std::make_shared<Material>(
         pellicle::BsdfBuilder("metallic_roughness").set("base_color", 0.02f).set("roughness", 0.4f));
     addLens(*world, -spacing, bareLens(), mount);
@@ -70,26 +67,26 @@ std::vector<View> lenses(const Subject &) {
     addLens(*world, spacing, broadBandCoat(), mount);
     world->commit();
     std::vector<View> views;
-    views.push_back({"", std::move(world), Camera(V3f(0, 1.9f, 15), V3f(0, 1.02f, 0), 10.2f)});
+    views.push_back({"", std::move(world), Camera(V3f(0, 1.9f, 15), V3f(0, 1.06f, 0), 11)});
     return views;
 }
 
 } // namespace
 
-// H. Macleod, "Thin-Film Optical Filters", section "Antireflection coatings": quarter waves at 550 nm of an index near the
-// root of the glass's; and quarter, half, quarter.
+// H. Macleod, "Thin-Film Optical Filters", chapter "Antireflection coatings": a quarter wave at 550 nm of an index near the
+// root of the glass's; and three layers, low, high and medium, whose thicknesses leave a weak blue-green.
 pellicle::FilmBuilder bareLens() { return onGlass(); }
 
 pellicle::FilmBuilder singleCoat() { return onGlass().layer("MgF2", 100); }
 
 pellicle::FilmBuilder broadBandCoat() {
-    return onGlass().layer("MgF2", 95).layer("Ta2O5", 126).layer("Al2O3", 80);
+    return onGlass().layer("MgF2", 86).layer("Ta2O5", 111).layer("Al2O3", 52);
 }
 
 Chapter lensChapter() {
     Scene scene{"lens", "A lens of BK7, bare and coated\nseen through both its faces", {{V2f(5.1f, 2)}, lenses}, 2.2f,
                 Lighting::window, 4, 16};
-    scene.labels.columns = {"bare", "MgF2, 100 nm", "MgF2, Ta2O5 and Al2O3"};
+    scene.labels.columns = {"bare", "MgF2, 100 nm", "MgF2, Ta2O5, Al2O3: 86, 111, 52 nm"};
     return {"lens", 1, {std::move(scene)}};
 }
 

@@ -5,8 +5,8 @@
 
 namespace render {
 
-/// Schott's BK7 in air, with nothing on it, a quarter wave of magnesium fluoride, or three layers: a quarter, a half and a
-/// quarter wave. All are followed from both sides; white is D65.
+/// Schott's BK7 in air, with nothing on it, a quarter wave of magnesium fluoride, or three layers. White is D65, and all
+/// films answer from both sides.
 pellicle::FilmBuilder bareLens();
 pellicle::FilmBuilder singleCoat();
 pellicle::FilmBuilder broadBandCoat();
