@@ -221,9 +221,8 @@ fn over(scene: Scene, truth: &Truth) -> Result<Swept, Error> {
         let (map, compiled) = Map::with_last(*peer, &scene, truth);
         let is_slow = |method: &String| ["series", "reference"].contains(&method.as_str());
         let is_habit = matches!(peer, Peer::Habit(_));
-        let is_quick = is_film
-            && !is_habit
-            && map.evaluations > 0 && !map.methods.iter().any(is_slow);
+        let is_quick =
+            is_film && !is_habit && map.evaluations > 0 && !map.methods.iter().any(is_slow);
         let jump = is_quick.then(|| jump::greatest_jump(&compiled, &scene, &reference));
         (map, jump, precision::not_finite(&compiled))
     });

@@ -56,10 +56,7 @@ fn faded(stack: &Stack, thickness_nm: f64) -> Truth {
     let part = t * t * (3.0 - 2.0 * t);
     let mixed = |nm: f64| {
         let [above, film] = [&stack.ambient, &stack.film].map(|medium| medium.index(nm));
-        [
-            above.re + part * (film.re - above.re),
-            part * film.im,
-        ]
+        [above.re + part * (film.re - above.re), part * film.im]
     };
     let film = if stack.ambient.constant().is_some() && stack.film.constant().is_some() {
         let [eta, k] = mixed(MIDDLE_NM);
@@ -67,7 +64,9 @@ fn faded(stack: &Stack, thickness_nm: f64) -> Truth {
     } else {
         const STEP_NM: f64 = 5.0;
         let steps = ((VISIBLE_NM[1] - VISIBLE_NM[0]) / STEP_NM) as usize;
-        let nm: Vec<f64> = (0..=steps).map(|i| VISIBLE_NM[0] + STEP_NM * i as f64).collect();
+        let nm: Vec<f64> = (0..=steps)
+            .map(|i| VISIBLE_NM[0] + STEP_NM * i as f64)
+            .collect();
         let [eta, k] = [0, 1].map(|i| nm.iter().map(|nm| mixed(*nm)[i]).collect::<Vec<f64>>());
         Medium::table(&nm, &eta, &k)
     };
@@ -98,7 +97,10 @@ fn half_a_nanometre_fades_by_half() {
     let truth = soap.truth().unwrap().reflectance(1.0, 0.5);
     let expected = ((1.165f64.powi(2) - 1.0) / (1.33f64.powi(2) - 1.0)).powi(2);
     for (faded, truth) in faded.into_iter().zip(truth) {
-        assert!((faded / truth / expected - 1.0).abs() < 0.01, "{faded:e} {truth:e}");
+        assert!(
+            (faded / truth / expected - 1.0).abs() < 0.01,
+            "{faded:e} {truth:e}"
+        );
     }
     assert_eq!(Habit::FadeBelow1Nm.changed(&soap, 1.0, 1.0), None);
 }

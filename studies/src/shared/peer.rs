@@ -191,12 +191,7 @@ impl Compiled {
     }
 
     /// The same where the truth is known, which habits need: they change it here and there.
-    pub fn beside(
-        &self,
-        truth: Rgb<f64>,
-        cos_theta: f32,
-        thickness_nm: f32,
-    ) -> Option<Rgb<f32>> {
+    pub fn beside(&self, truth: Rgb<f64>, cos_theta: f32, thickness_nm: f32) -> Option<Rgb<f32>> {
         let Self::Habit(habit, stack) = self else {
             return self.single(cos_theta, thickness_nm);
         };
