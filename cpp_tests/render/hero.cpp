@@ -61,7 +61,7 @@ SharedMaterial transparent(pellicle::Medium layer, pellicle::Medium base, float 
         std::vector<VaryingParameter>{{"thickness_nm", 0, thicknessMax, std::move(thickness)}});
 }
 
-/// N-BK7 at 587.6 nm (Schott's data sheet). Without dispersion the film has a table for light from inside too.
+/// N-BK7 at 587.6 nm (Schott's data sheet); the renderer does not split light into its colours.
 pellicle::Medium glass() { return pellicle::Medium::constant(1.5168f); }
 
 // Anodised titanium: the oxide grows with the voltage, from gold at the foot to pink at the lip.

@@ -12,7 +12,7 @@ use plotters::style::text_anchor::{HPos, VPos};
 /// The tolerance of the films: the default.
 pub const TOLERANCE: f64 = 2e-3;
 
-const SIZE: (u32, u32) = (1000, 560);
+const SIZE: (u32, u32) = (1000, 580);
 const TITLE: &str = "How long films take to create: random stacks, one core, tolerance 2e-3";
 const EXPLANATION: [&str; 2] = [
     "Every marker is a stack of one to five layers; the stacks of a suite are sorted by their time. Filled markers: the \
@@ -21,7 +21,7 @@ const EXPLANATION: [&str; 2] = [
 ];
 const FRAME: [i32; 4] = [60, 140, 920, 380];
 /// The ends of the axis of times, ms.
-const TIMES: [f64; 2] = [0.1, 1e4];
+const TIMES: [f64; 2] = [1.0, 3e4];
 const RADIUS: i32 = 4;
 
 /// The films of a suite, quickest first.
@@ -100,9 +100,9 @@ pub fn svg(suites: &[Sorted]) -> Result<String, Failure> {
             errors: TIMES,
             has_error_labels: true,
         };
-        let at = panel.axes(area, 0.0..101.0, 11, &|share| format!("{share} %"))?;
+        let at = panel.axes(area, 0.0..102.0, 11, &|share| format!("{share} %"))?;
         for (i, suite) in suites.iter().enumerate() {
-            let legend = (26 + 320 * i as i32, 94);
+            let legend = ([32, 235, 600][i % 3], 94);
             stroke(
                 area,
                 i,
@@ -129,9 +129,9 @@ pub fn svg(suites: &[Sorted]) -> Result<String, Failure> {
             for (rank, name) in named {
                 let (x, y) = place(rank);
                 let text = format!("{name} {}", milliseconds(suite.films[rank].create_ms));
-                // The lines rise: what is to the right of one and below it is free.
+                // The lines rise: above and to the left of a point is free, and below and to the right.
                 let (place, horizontal) = match name {
-                    "worst" => ((x - 12, y), HPos::Right),
+                    "worst" => ((x - 4, y - 15), HPos::Right),
                     _ => ((x + 8, y + 12), HPos::Left),
                 };
                 let style = style(FONT, color(i), horizontal, VPos::Center);
@@ -139,8 +139,8 @@ pub fn svg(suites: &[Sorted]) -> Result<String, Failure> {
             }
         }
         let under = style(FONT, INK, HPos::Center, VPos::Top);
-        let middle = (FRAME[0] + FRAME[2] / 2, FRAME[1] + FRAME[3] + 22);
-        area.draw_text("share of the stacks", &under, middle)
+        let middle = (FRAME[0] + FRAME[2] / 2, FRAME[1] + FRAME[3] + 30);
+        area.draw_text("share of the suite's stacks", &under, middle)
     })
 }
 

@@ -30,9 +30,10 @@ const GLASS_SIZE: (u32, u32) = (1000, 905);
 const GLASS_TITLE: &str =
     "Films on glass, reflected and transmitted: time against error from both sides";
 const GLASS_EXPLANATION: [&str; 2] = [
-    "As above, of reflectance and transmittance together. Six stacks of one layer, three coats of more, which only \
-     plan and reference take.",
-    "Methods for one layer are turned round for the base's side, and let through what they do not reflect.",
+    "Marker: RMS error of reflectance and transmittance, and ns of a call for both, median of the stacks. Whiskers: the \
+     greatest, the slowest.",
+    "Methods for one layer take no coats of more; for the base's side they are turned round, and they let through what \
+     they do not reflect.",
 ];
 
 /// The ends of the error axis, and where a peer without error is drawn.
@@ -86,7 +87,7 @@ impl Family {
             Self::TwoBeam => (
                 "two beams (Granier & Heidrich 2002)",
                 RGBColor(0, 0, 0),
-                left,
+                ((-9, -3), HPos::Right, VPos::Bottom),
             ),
             Self::AiryRgb => ("all beams at 3 wavelengths", RGBColor(90, 90, 90), left),
             Self::Quadrature => {
@@ -199,8 +200,8 @@ pub fn glass_svg(cells: &[glass::Cell]) -> Result<String, Failure> {
     picture(GLASS_SIZE, GLASS_TITLE, &GLASS_EXPLANATION, |area| {
         legend(area, false)?;
         for (row, (of, title, most)) in [
-            (true, "one layer", 1e6),
-            (false, "coats of 2, 3 and 10 layers", 1e7),
+            (true, "one layer, six stacks", 9e5),
+            (false, "coats of 2, 3 and 10 layers", 9e5),
         ]
         .into_iter()
         .enumerate()

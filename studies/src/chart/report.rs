@@ -125,7 +125,7 @@ pub fn glass(cells: &[glass::Cell]) -> String {
            returns both, from the ambient's side (front) and from the base's (back), the median of the stacks\n  \
            and the slowest.\n\
          - Methods for one layer are turned round for the back, and let through what they do not reflect, as\n  \
-           renderers do. *n/a*: a method for one layer does not take more of them.\n\
+           renderers do.\n\
          - Two rows are Cycles' habits, each applied to the truth, which shows the error of the habit alone:\n  \
            R = 1 where the film's upper interface reflects totally, as of an air gap in glass, and films that\n  \
            fade below 1 nm.\n\
@@ -154,9 +154,7 @@ fn both_sides(front: &[Summary], back: &[Summary]) -> String {
             let mut row = vec![format!("`{}`", peer.name()), peer.setting()];
             let sides = [front, back].map(|side| side.iter().find(|summary| summary.peer == peer));
             let [Some(front), Some(back)] = sides else {
-                row.extend(vec!["n/a".to_owned(); 8]);
-                row.extend(vec![String::new(); 2]);
-                return row;
+                return None;
             };
             let sides = [front, back];
             row.extend(sides.iter().flat_map(|s| [s.ns, s.slowest_ns]).map(time));
@@ -166,9 +164,18 @@ fn both_sides(front: &[Summary], back: &[Summary]) -> String {
             let bytes = front.notes.iter().map(|note| note.bytes).max();
             row.push(plans(&front.notes));
             row.push(bytes.map(|bytes| bytes.to_string()).unwrap_or_default());
-            row
+            Some(row)
         };
-    table(headings, glass::peers().into_iter().map(row))
+    let is_able = |peer: &Peer| front.iter().any(|summary| summary.peer == *peer);
+    let peers = glass::peers();
+    let unable = peers.iter().filter(|peer| !is_able(peer));
+    let mut unable: Vec<String> = unable.map(|peer| format!("`{}`", peer.name())).collect();
+    unable.dedup();
+    let mut note = String::new();
+    if !unable.is_empty() {
+        note = format!("\nToo many layers for {}.\n", unable.join(", "));
+    }
+    table(headings, peers.into_iter().filter_map(row)) + &note
 }
 
 /// Empty for what has no time.
