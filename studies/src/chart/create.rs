@@ -100,7 +100,10 @@ pub fn svg(suites: &[Sorted]) -> Result<String, Failure> {
             errors: TIMES,
             has_error_labels: true,
         };
-        let at = panel.axes(area, 0.0..102.0, 11, &|share| format!("{share} %"))?;
+        let at = panel.axes(area, 0.0..110.0, 12, &|share| match share {
+            0.0..=100.0 => format!("{share} %"),
+            _ => String::new(),
+        })?;
         for (i, suite) in suites.iter().enumerate() {
             let legend = ([32, 235, 600][i % 3], 94);
             stroke(
@@ -129,13 +132,13 @@ pub fn svg(suites: &[Sorted]) -> Result<String, Failure> {
             for (rank, name) in named {
                 let (x, y) = place(rank);
                 let text = format!("{name} {}", milliseconds(suite.films[rank].create_ms));
-                // The lines rise: above and to the left of a point is free, and below and to the right.
-                let (place, horizontal) = match name {
-                    "worst" => ((x - 4, y - 15), HPos::Right),
-                    _ => ((x + 8, y + 12), HPos::Left),
+                // The lines rise: below and to the right of a point is free.
+                let (x, y) = match name {
+                    "worst" => (x + 11, y),
+                    _ => (x + 8, y + 12),
                 };
-                let style = style(FONT, color(i), horizontal, VPos::Center);
-                area.draw_text(&text, &style, place)?;
+                let style = style(FONT, color(i), HPos::Left, VPos::Center);
+                area.draw_text(&text, &style, (x, y))?;
             }
         }
         let under = style(FONT, INK, HPos::Center, VPos::Top);

@@ -168,7 +168,8 @@ fn both_sides(front: &[Summary], back: &[Summary]) -> String {
         };
     let is_able = |peer: &Peer| front.iter().any(|summary| summary.peer == *peer);
     let peers = glass::peers();
-    let unable = peers.iter().filter(|peer| !is_able(peer));
+    let is_method = |peer: &&Peer| !matches!(peer, Peer::Habit(_));
+    let unable = peers.iter().filter(is_method).filter(|peer| !is_able(peer));
     let mut unable: Vec<String> = unable.map(|peer| format!("`{}`", peer.name())).collect();
     unable.dedup();
     let mut note = String::new();
