@@ -72,7 +72,8 @@ pub fn random_suites() -> [Suite; 3] {
         Suite {
             name: "random stacks with T, dispersing half-spaces",
             films: dispersing(),
-            may_be_slow: 0,
+            // Layers of 0.7 to 2.8 um on ZnS, on MgF2 and on a base given by three numbers: no table holds the tolerance.
+            may_be_slow: 3,
         },
     ]
 }
