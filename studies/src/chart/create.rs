@@ -100,7 +100,7 @@ pub fn svg(suites: &[Sorted]) -> Result<String, Failure> {
             errors: TIMES,
             has_error_labels: true,
         };
-        let at = panel.axes(area, 0.0..110.0, 12, &|share| match share {
+        let at = panel.axes(area, 0.0..112.0, 12, &|share| match share {
             0.0..=100.0 => format!("{share} %"),
             _ => String::new(),
         })?;
