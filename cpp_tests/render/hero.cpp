@@ -61,7 +61,7 @@ SharedMaterial transparent(pellicle::Medium layer, pellicle::Medium base, float 
         std::vector<VaryingParameter>{{"thickness_nm", 0, thicknessMax, std::move(thickness)}});
 }
 
-/// N-BK7 at 587.6 nm (Schott's data sheet). Without dispersion the film has a table for light from inside too.
+/// N-BK7 at 587.6 nm (Schott's data sheet); the renderer does not split light into its colours.
 pellicle::Medium glass() { return pellicle::Medium::constant(1.5168f); }
 
 // Anodised titanium: the oxide grows with the voltage, from gold at the foot to pink at the lip.
@@ -97,29 +97,6 @@ Mesh knot(float size, float tube) {
 }
 
 // Glass.
-
-/// Rotates the vertical axis into the horizontal one that points `degrees` from +z towards +x.
-Mesh facing(Mesh mesh, float degrees, const V3f &offset) {
-    const float c = std::cos(radians(degrees)), s = std::sin(radians(degrees));
-    const auto rotated = [&](const V3f &v) { return V3f(c * v.x + s * v.y, -v.z, c * v.y - s * v.x); };
-    for (V3f &position : mesh.positions) position = rotated(position) + offset;
-    for (auto &corners : mesh.normals)
-        for (V3f &normal : corners) normal = rotated(normal);
-    return mesh;
-}
-
-/// Two spherical caps of this curvature around the vertical axis.
-Mesh lens(float aperture, float curvature, float edge) {
-    std::vector<V2f> outline;
-    constexpr int steps = 24;
-    const float low = std::sqrt(curvature * curvature - aperture * aperture);
-    for (int side = -1; side <= 1; side += 2)
-        for (int i = 0; i <= steps; ++i) {
-            const float r = aperture * static_cast<float>(side < 0 ? i : steps - i) / steps;
-            outline.emplace_back(r, side * (std::sqrt(curvature * curvature - r * r) - low + edge / 2));
-        }
-    return turned(outline);
-}
 
 SharedMaterial metal(const char *name, float alpha) {
     return std::make_shared<Material>(pellicle::BsdfBuilder("microfacet")

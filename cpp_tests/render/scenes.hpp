@@ -42,6 +42,9 @@ const std::vector<Scene> &scenes();
 /// Surfaces with real thin films.
 const std::vector<Scene> &filmScenes();
 
+/// A lens without a coat, and with two.
+Chapter lensChapter();
+
 /// Rough surfaces: grids of spheres, and rows of them.
 std::vector<Chapter> microfacetChapters();
 

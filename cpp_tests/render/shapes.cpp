@@ -104,4 +104,54 @@ Mesh turned(const std::vector<V2f> &outline) {
     });
 }
 
+Mesh lens(float aperture, float sphere, float edge) {
+    constexpr int steps = 96;
+    struct Ring {
+        float radius, height;
+        V2f normal; ///< outwards and upwards
+    };
+    std::vector<Ring> rings;
+    const float low = std::sqrt(sphere * sphere - aperture * aperture);
+    const auto cap = [&](float side, int step) {
+        const float r = aperture * static_cast<float>(step) / steps, h = std::sqrt(sphere * sphere - r * r);
+        rings.push_back({r, side * (h - low + edge / 2), V2f(r, side * h) / sphere});
+    };
+    for (int step = 0; step <= steps; ++step) cap(-1, step);
+    for (const float side : {-1.0f, 1.0f}) rings.push_back({aperture, side * edge / 2, V2f(1, 0)});
+    for (int step = steps; step >= 0; --step) cap(1, step);
+
+    Mesh mesh;
+    std::vector<V3f> normals;
+    for (const Ring &ring : rings) {
+        for (std::uint32_t i = 0; i < around; ++i) {
+            const float angle = -2 * pi * static_cast<float>(i) / around;
+            const V3f outward(std::cos(angle), 0, std::sin(angle)), up(0, 1, 0);
+            mesh.positions.push_back(outward * ring.radius + up * ring.height);
+            normals.push_back(outward * ring.normal.x + up * ring.normal.y);
+        }
+    }
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.normals.push_back({normals[a], normals[b], normals[c]});
+        mesh.uvs.push_back({V2f(0), V2f(0), V2f(0)});
+    };
+    for (std::uint32_t j = 0; j + 1 < rings.size(); ++j) {
+        for (std::uint32_t i = 0; i < around; ++i) {
+            const std::uint32_t next = (i + 1) % around, here = j * around, above = here + around;
+            add(here + i, here + next, above + next);
+            add(here + i, above + next, above + i);
+        }
+    }
+    return mesh;
+}
+
+Mesh facing(Mesh mesh, float degrees, const V3f &offset) {
+    const float c = std::cos(radians(degrees)), s = std::sin(radians(degrees));
+    const auto turnedOver = [&](const V3f &v) { return V3f(c * v.x + s * v.y, -v.z, c * v.y - s * v.x); };
+    for (V3f &position : mesh.positions) position = turnedOver(position) + offset;
+    for (auto &corners : mesh.normals)
+        for (V3f &normal : corners) normal = turnedOver(normal);
+    return mesh;
+}
+
 } // namespace render

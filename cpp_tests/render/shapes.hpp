@@ -28,4 +28,11 @@ Mesh gridMesh(const Grid &grid, const std::function<V3f(float u, float v)> &at);
 /// "A Class of Local Interpolating Splines", 1974) through `outline`, radius and height, from the lower end.
 Mesh turned(const std::vector<V2f> &outline);
 
+/// A lens between two spheres of that radius around the vertical axis: `aperture` is its own radius, `edge` the height
+/// of its cylindrical rim. Normals are those of the spheres.
+Mesh lens(float aperture, float sphere, float edge);
+
+/// Turned so that the vertical axis becomes the horizontal one that points `degrees` from +z towards +x, then moved.
+Mesh facing(Mesh mesh, float degrees, const V3f &offset);
+
 } // namespace render

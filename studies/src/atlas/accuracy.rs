@@ -4,6 +4,7 @@ use super::films::{Films, PEERS, Swept, TOLERANCE};
 use super::laws::Law;
 use super::models::{self, Models};
 use super::{CELLS, number};
+use crate::shared::habit::Habit;
 use crate::shared::markdown::table;
 use crate::shared::peer::Peer;
 use pellicle::bsdf;
@@ -72,6 +73,8 @@ fn validity(peer: Peer) -> &'static str {
         Peer::Method(Kind::Harmonics(_)) => {
             "weak bases, any thickness; neither dispersion nor absorption"
         }
+        Peer::Habit(Habit::MirrorAtTotalReflection) => "films of a higher index than the ambient's",
+        Peer::Habit(Habit::FadeBelow1Nm) => "all but grazing angles",
         Peer::Forced("series", _) => "any one film; sums every harmonic, slow",
         _ => "everything a film may be: promised",
     }

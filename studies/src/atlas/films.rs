@@ -5,6 +5,7 @@ use super::picture::{Cells, Picture, Row};
 use crate::error_maps::map::{Found, Map};
 use crate::error_maps::scene::{self, Across, Scene, Truth};
 use crate::error_maps::{jump, precision};
+use crate::shared::habit::Habit;
 use crate::shared::peer::{FORCED, Peer, harmonics};
 use pellicle::Error;
 use pellicle::film::OneLayerMethod as Kind;
@@ -14,7 +15,7 @@ use rayon::prelude::*;
 pub const TOLERANCE: f64 = 2e-3;
 
 /// Everyone, from the paper's model to ours. The first are the columns of the pictures.
-pub const PEERS: [Peer; 14] = [
+pub const PEERS: [Peer; 16] = [
     Peer::Layered,
     Peer::Method(Kind::TwoBeam),
     Peer::Method(Kind::AiryRgb),
@@ -29,6 +30,8 @@ pub const PEERS: [Peer; 14] = [
     Peer::Method(harmonics(16)),
     Peer::Method(Kind::Bands(256)),
     Peer::Planned(1e-2),
+    Peer::Habit(Habit::MirrorAtTotalReflection),
+    Peer::Habit(Habit::FadeBelow1Nm),
 ];
 const DRAWN: usize = 10;
 
@@ -217,7 +220,9 @@ fn over(scene: Scene, truth: &Truth) -> Result<Swept, Error> {
         }
         let (map, compiled) = Map::with_last(*peer, &scene, truth);
         let is_slow = |method: &String| ["series", "reference"].contains(&method.as_str());
-        let is_quick = is_film && map.evaluations > 0 && !map.methods.iter().any(is_slow);
+        let is_habit = matches!(peer, Peer::Habit(_));
+        let is_quick =
+            is_film && !is_habit && map.evaluations > 0 && !map.methods.iter().any(is_slow);
         let jump = is_quick.then(|| jump::greatest_jump(&compiled, &scene, &reference));
         (map, jump, precision::not_finite(&compiled))
     });

@@ -51,6 +51,8 @@ pub fn page(films: &Films, models: &Models) -> String {
          - `airy_rgb`: all beams at three wavelengths, as in Adobe's openpbr-bsdf.\n\
          - `harmonics`: Belcour & Barla 2017, 3 as in Cycles.\n\
          - `quadrature`, `bands`, `series`, and films as the plan compiles them for a tolerance: ours.\n\
+         - The tables have two habits of Cycles besides, each applied to the truth, which shows the error of the\n  \
+           habit alone: a film whose upper interface reflects totally is a mirror; films fade below 1 nm.\n\
          \n\
          Below, both axes are logarithmic: thin films at grazing angles are worst for cut series.\n\
          \n\
@@ -75,6 +77,13 @@ pub fn page(films: &Films, models: &Models) -> String {
          Methods may be asked for by name. At the default tolerance, {TOLERANCE:e}, in the best of their sizes:\n\
          \n\
          {}\n\
+         ## Two habits of Cycles\n\
+         \n\
+         Each is the truth, but for the habit: R = 1 where the film's upper interface reflects totally (no light\n\
+         tunnels to the base), and the film's index fades to the ambient's below 1 nm. Maps where neither\n\
+         changes anything by more than {SMALL:e} are left out.\n\
+         \n\
+         {}\n\
          ## Shading models\n\
          \n\
          Each model over the parameter that is hardest on it, times the viewer's angle. Single against double\n\
@@ -92,6 +101,7 @@ pub fn page(films: &Films, models: &Models) -> String {
          {} models and choices.\n",
         what_goes_wrong(films),
         forced(films),
+        habits(films),
         grouped(colors),
         PEERS.len(),
         grouped(models.evaluations),
@@ -167,6 +177,7 @@ fn answer(peer: Peer) -> &'static str {
     match peer {
         Peer::Layered => "says so; a shading model, which no film uses",
         Peer::Method(Kind::Bands(_)) => "the plan takes enough bands for the tolerance",
+        Peer::Habit(_) => "lets light tunnel, and keeps the film down to 0 nm",
         Peer::Method(_) => "never chosen unasked; by name only where it holds the tolerance",
         _ => "within the tolerance",
     }
@@ -185,6 +196,34 @@ fn forced(films: &Films) -> String {
         vec![format!("`{}`", forced.method), refused, worst]
     });
     table("asked for | >refused for | >greatest error where not", rows)
+}
+
+/// Of both habits, the maps that they change.
+fn habits(films: &Films) -> String {
+    let habits = PEERS
+        .into_iter()
+        .enumerate()
+        .filter(|(_, peer)| matches!(peer, Peer::Habit(_)));
+    let rows = habits.flat_map(|(i, peer)| {
+        let changed = films
+            .all()
+            .filter(move |swept| swept.maps[i].worst.value > SMALL);
+        changed.map(move |swept| {
+            let (map, scene) = (&swept.maps[i], &swept.scene);
+            let beyond = 100.0 * (1.0 - map.share_within(TOLERANCE));
+            vec![
+                peer.title(),
+                scene.name.into(),
+                number(map.rms),
+                number(map.worst.value),
+                scene.place(map.worst.x, map.worst.cos_theta),
+                format!("{beyond:.1} %"),
+            ]
+        })
+    });
+    let headings =
+        format!("habit | map | >RMS | >greatest | where | >of the map beyond {TOLERANCE:e}");
+    table(&headings, rows)
 }
 
 #[test]

@@ -35,6 +35,11 @@ impl Errors {
         self.delta_e.extend(&other.delta_e);
     }
 
+    /// The number of colours.
+    pub fn count(&self) -> usize {
+        self.delta_e.len()
+    }
+
     /// Root of the mean square over all channels.
     pub fn rms(&self) -> f64 {
         (self.squares / (3 * self.delta_e.len().max(1)) as f64).sqrt()

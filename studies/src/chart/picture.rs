@@ -1,7 +1,8 @@
 //! docs/chart.svg: a large panel, four small ones, and what the markers mean.
 
 use super::contest::{Cell, Summary, constant, shared, summaries};
-use super::suite::RANGES;
+use super::glass;
+use super::suite::{RANGES, Range};
 use crate::shared::peer::{Peer, size};
 use crate::shared::svg::{
     Area, FONT, Failure, Panel, Pixel, beside, diamond, line, picture, style, width,
@@ -23,6 +24,16 @@ const EXPLANATION: [&str; 2] = [
      median of the films.",
     "Whiskers: greatest error, slowest film. Random thicknesses, and angles down to grazing. \
      The grey line joins those that none beats in both.",
+];
+
+const GLASS_SIZE: (u32, u32) = (1000, 905);
+const GLASS_TITLE: &str =
+    "Films on glass, reflected and transmitted: time against error from both sides";
+const GLASS_EXPLANATION: [&str; 2] = [
+    "Marker: RMS error of reflectance and transmittance, and ns of a call for both, median of the stacks. Whiskers: the \
+     greatest, the slowest.",
+    "Methods for one layer take no coats of more; for the base's side they are turned round, and they let through what \
+     they do not reflect.",
 ];
 
 /// The ends of the error axis, and where a peer without error is drawn.
@@ -76,7 +87,7 @@ impl Family {
             Self::TwoBeam => (
                 "two beams (Granier & Heidrich 2002)",
                 RGBColor(0, 0, 0),
-                left,
+                ((-9, -3), HPos::Right, VPos::Bottom),
             ),
             Self::AiryRgb => ("all beams at 3 wavelengths", RGBColor(90, 90, 90), left),
             Self::Quadrature => {
@@ -169,10 +180,11 @@ fn draw_level(area: &Area, level: Level, at: Pixel) -> Result<(), Failure> {
 /// The chart as SVG.
 pub fn svg(cells: &[Cell]) -> Result<String, Failure> {
     let [thin, common, thick, thickest] = RANGES;
-    let of_ten = |range| (summaries(shared(cells, range)), "ten films", range);
-    let constant = (summaries(constant(cells, common)), "no dispersion", common);
+    let titled = |summaries, range: Range, films| (summaries, format!("{}, {films}", range.name));
+    let of_ten = |range| titled(summaries(shared(cells, range)), range, "ten films");
+    let constant = titled(summaries(constant(cells, common)), common, "no dispersion");
     picture(SIZE, TITLE, &EXPLANATION, |area| {
-        legend(area)?;
+        legend(area, true)?;
         panel(area, &of_ten(common), [52, 182, 933, 436], 1e5, true)?;
         let small = [of_ten(thin), of_ten(thick), of_ten(thickest), constant];
         for (i, contents) in small.iter().enumerate() {
@@ -183,12 +195,46 @@ pub fn svg(cells: &[Cell]) -> Result<String, Failure> {
     })
 }
 
-fn legend(area: &Area) -> Result<(), Failure> {
+/// Both sides of films on glass as SVG: of one layer above, of more below.
+pub fn glass_svg(cells: &[glass::Cell]) -> Result<String, Failure> {
+    picture(GLASS_SIZE, GLASS_TITLE, &GLASS_EXPLANATION, |area| {
+        legend(area, false)?;
+        for (row, (of, title, most)) in [
+            (true, "one layer, six stacks", 9e5),
+            (false, "coats of 2, 3 and 10 layers", 9e5),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            for (side, from) in ["from the ambient", "from the base"]
+                .into_iter()
+                .enumerate()
+            {
+                let summaries = glass::summaries(cells, side, |cell| (cell.layers == 1) == of);
+                // Habits have no time, and the series is a truth of its own.
+                let is_drawn =
+                    |s: &Summary| s.ns.is_finite() && !matches!(s.peer, Peer::Forced(..));
+                let contents = (
+                    summaries.into_iter().filter(is_drawn).collect(),
+                    format!("{title}, {from}"),
+                );
+                let frame = [52 + 477 * side as i32, 182 + 370 * row as i32, 456, 310];
+                panel(area, &contents, frame, most, true)?;
+            }
+        }
+        Ok(())
+    })
+}
+
+fn legend(area: &Area, has_batches: bool) -> Result<(), Failure> {
     let place = |i: usize| (COLUMNS[i / 3], LEGEND_TOP + LEGEND_LINE * (i % 3) as i32);
     for (i, family) in Family::ALL.into_iter().enumerate() {
         let at = place(i);
         family.draw(area, at)?;
         beside(area, family.look().0, (at.0 + 13, at.1))?;
+    }
+    if !has_batches {
+        return Ok(());
     }
     let (mut x, y) = place(Family::ALL.len());
     const IN_BATCHES: &str = "in batches:";
@@ -205,13 +251,13 @@ fn legend(area: &Area) -> Result<(), Failure> {
 /// Every peer's time and error. All have labels in the large panel, in small ones the planned films alone.
 fn panel(
     area: &Area,
-    (summaries, films, range): &(Vec<Summary>, &str, super::suite::Range),
+    (summaries, title): &(Vec<Summary>, String),
     frame: [i32; 4],
     slowest_ns: f64,
     is_large: bool,
 ) -> Result<(), Failure> {
     let panel = Panel {
-        title: &format!("{}, {films}", range.name),
+        title,
         frame,
         errors: ERRORS,
         has_error_labels: is_large || frame[0] == 52,

@@ -3,6 +3,7 @@
 use super::contest::{
     BASELINE, Cell, POINTS, PlanNote, Summary, constant, peers, shared, summaries,
 };
+use super::glass;
 use super::suite::{RANGES, Range};
 use super::timing::REPETITIONS;
 use crate::shared::markdown::table;
@@ -107,6 +108,124 @@ pub fn markdown(cells: &[Cell]) -> String {
         by_stack(cells, common),
     );
     out
+}
+
+/// The part of docs/chart.md about films on glass.
+pub fn glass(cells: &[glass::Cell]) -> String {
+    let by = |of: fn(&glass::Cell) -> bool| {
+        let [front, back] = [0, 1].map(|side| glass::summaries(cells, side, of));
+        both_sides(&front, &back)
+    };
+    format!(
+        "\n## Films on glass, reflected and transmitted\n\
+         \n\
+         ![Time per colour against error, from both sides](chart-glass.svg)\n\
+         \n\
+         - Errors are those of reflectance and transmittance together, at {} points per stack; ns of a call that\n  \
+           returns both, from the ambient's side (front) and from the base's (back), the median of the stacks\n  \
+           and the slowest.\n\
+         - Methods for one layer are turned round for the back, and let through what they do not reflect, as\n  \
+           renderers do.\n\
+         - Two rows are Cycles' habits, each applied to the truth, which shows the error of the habit alone:\n  \
+           R = 1 where the film's upper interface reflects totally, as of an air gap in glass, and films that\n  \
+           fade below 1 nm.\n\
+         \n\
+         One layer, six stacks:\n\
+         \n\
+         {}\n\
+         Coats of 2, 3 and 10 layers on BK7:\n\
+         \n\
+         {}\n\
+         By stack, `harmonics` with 3 terms, `plan` at 2e-3 and the reference; `create` is wall time:\n\
+         \n\
+         {}",
+        glass::POINTS,
+        by(|cell| cell.layers == 1),
+        by(|cell| cell.layers > 1),
+        glass_by_stack(cells)
+    )
+}
+
+fn both_sides(front: &[Summary], back: &[Summary]) -> String {
+    let headings = "method | setting | >front, ns | >slowest | >back, ns | >slowest | >front, RMS | >max | \
+                    >back, RMS | >max | plan | >bytes";
+    let row =
+        |peer: Peer| {
+            let mut row = vec![format!("`{}`", peer.name()), peer.setting()];
+            let sides = [front, back].map(|side| side.iter().find(|summary| summary.peer == peer));
+            let [Some(front), Some(back)] = sides else {
+                return None;
+            };
+            let sides = [front, back];
+            row.extend(sides.iter().flat_map(|s| [s.ns, s.slowest_ns]).map(time));
+            row.extend(sides.iter().flat_map(|s| {
+                [s.errors.rms(), s.errors.max()].map(|error| format!("{error:.1e}"))
+            }));
+            let bytes = front.notes.iter().map(|note| note.bytes).max();
+            row.push(plans(&front.notes));
+            row.push(bytes.map(|bytes| bytes.to_string()).unwrap_or_default());
+            Some(row)
+        };
+    let is_able = |peer: &Peer| front.iter().any(|summary| summary.peer == *peer);
+    let peers = glass::peers();
+    let is_method = |peer: &&Peer| !matches!(peer, Peer::Habit(_));
+    let unable = peers.iter().filter(is_method).filter(|peer| !is_able(peer));
+    let mut unable: Vec<String> = unable.map(|peer| format!("`{}`", peer.name())).collect();
+    unable.dedup();
+    let mut note = String::new();
+    if !unable.is_empty() {
+        note = format!("\nToo many layers for {}.\n", unable.join(", "));
+    }
+    table(headings, peers.into_iter().filter_map(row)) + &note
+}
+
+/// Empty for what has no time.
+fn time(ns: f64) -> String {
+    if ns.is_nan() {
+        String::new()
+    } else {
+        rounded(ns)
+    }
+}
+
+fn glass_by_stack(cells: &[glass::Cell]) -> String {
+    let shown = [BASELINE, Peer::Planned(2e-3), Peer::Reference];
+    let headings = "stack | method | >front, ns | >back, ns | >front, max | >back, max | plan | >KiB | >create, ms";
+    let rows = cells.iter().filter(|cell| shown.contains(&cell.peer));
+    let row = |cell: &glass::Cell| {
+        let mut row = vec![cell.stack.to_owned(), format!("`{}`", cell.peer.title())];
+        row.extend(cell.ns.map(|ns| ns.map(rounded).unwrap_or_default()));
+        row.extend(
+            cell.errors
+                .iter()
+                .map(|errors| format!("{:.1e}", errors.max())),
+        );
+        row.extend(match &cell.note {
+            Some(note) => [
+                note.method.clone(),
+                (note.bytes / 1024).to_string(),
+                format!("{:.0}", note.compile_ms),
+            ],
+            None => Default::default(),
+        });
+        row
+    };
+    table(headings, rows.map(row))
+}
+
+/// The part of docs/chart.md about create().
+pub fn created(figures: &str) -> String {
+    format!(
+        "\n## How long films take to create\n\
+         \n\
+         ![create() times over random stacks](create.svg)\n\
+         \n\
+         The random stacks of `./x check film_cliffs`, at tolerance {:e}: processor time of create(), and the worst\n\
+         stack of each suite, its layers from the ambient to the base.\n\
+         \n\
+         {figures}",
+        super::create::TOLERANCE
+    )
 }
 
 fn comparison(summaries: &[Summary]) -> String {

@@ -35,7 +35,7 @@ pub const RANGES: [Range; 4] = [
 ];
 
 /// The wavelength that the mirror's fixed layers are a quarter of, nm.
-const MIRROR_NM: f64 = 550.0;
+pub const MIRROR_NM: f64 = 550.0;
 
 /// A stack and its name: film/base, or ambient/film/base by indices.
 pub type Named = (&'static str, Stack);

@@ -61,6 +61,15 @@ pub fn batches(
     levels.iter().map(time).collect()
 }
 
+/// ns per call at a point, of one repetition.
+pub fn calls<T>(points: &[Point], repetition: usize, call: impl Fn(Point) -> T) -> f64 {
+    measured(points, repetition, |points| {
+        for point in points {
+            black_box(call(*point));
+        }
+    })
+}
+
 /// ns per point of work on a repetition's points, or on a few of them if it is slow.
 fn measured(points: &[Point], repetition: usize, mut work: impl FnMut(&[Point])) -> f64 {
     let mut time = |points: &[Point]| {

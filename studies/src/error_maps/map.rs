@@ -93,10 +93,10 @@ impl Map {
             let thickness_nm = scene.thickness_nm(x);
             for (row, y) in ys.iter().enumerate() {
                 let cos_theta = scene.cos_theta(*y);
-                let Some(color) = compiled.single(cos_theta, thickness_nm) else {
+                let truth = truth.colors[row * width + column];
+                let Some(color) = compiled.beside(truth, cos_theta, thickness_nm) else {
                     continue;
                 };
-                let truth = truth.colors[row * width + column];
                 let error = map.add(color, truth, x, cos_theta, &mut squares);
                 map.worsen(column, row, error);
             }

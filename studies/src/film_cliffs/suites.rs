@@ -1,6 +1,7 @@
 //! The films that are timed.
 
 use crate::film_tolerance::draw;
+use crate::film_tolerance::kind::{self, Kind};
 use pellicle::film::FilmDescription;
 use pellicle::optics::Medium;
 
@@ -54,9 +55,9 @@ const COATINGS: [(&str, &[Coating]); 10] = [
 
 type Coating = (&'static str, [f64; 2]);
 
-/// All suites.
-pub fn suites() -> Vec<Suite> {
-    vec![
+/// Random stacks: of reflectance alone, and with transmittance.
+pub fn random_suites() -> [Suite; 3] {
+    [
         Suite {
             name: "random stacks, R only",
             films: random(false),
@@ -69,6 +70,19 @@ pub fn suites() -> Vec<Suite> {
             may_be_slow: 1,
         },
         Suite {
+            name: "random stacks with T, dispersing half-spaces",
+            films: dispersing(),
+            // Layers of 0.7 to 2.8 um on ZnS, on MgF2 and on a base given by three numbers: no table holds the tolerance.
+            may_be_slow: 3,
+        },
+    ]
+}
+
+/// All suites.
+pub fn suites() -> Vec<Suite> {
+    let mut suites = Vec::from(random_suites());
+    suites.extend([
+        Suite {
             name: "real coatings on real glass, with T",
             films: coatings(),
             may_be_slow: 0,
@@ -78,7 +92,8 @@ pub fn suites() -> Vec<Suite> {
             films: single(),
             may_be_slow: 0,
         },
-    ]
+    ]);
+    suites
 }
 
 fn random(both_sides: bool) -> Vec<(String, FilmDescription)> {
@@ -89,6 +104,15 @@ fn random(both_sides: bool) -> Vec<(String, FilmDescription)> {
     });
     let films = wanted.take(RANDOM).map(|mut stack| {
         stack.both_sides = both_sides;
+        (stack.to_string(), stack.description(2e-3))
+    });
+    films.collect()
+}
+
+fn dispersing() -> Vec<(String, FilmDescription)> {
+    let numbers = (0..).filter(|number| Kind::of(*number) == Kind::Dispersing);
+    let films = numbers.take(RANDOM).map(|number| {
+        let stack = kind::stack(7, number);
         (stack.to_string(), stack.description(2e-3))
     });
     films.collect()

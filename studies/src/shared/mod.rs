@@ -7,6 +7,7 @@ pub mod directions;
 pub mod draw;
 #[path = "../../../tests/common/films.rs"]
 pub mod films;
+pub mod habit;
 pub mod markdown;
 pub mod peer;
 pub mod progress;

@@ -1,6 +1,7 @@
 //! The ways to a film's colour that are compared.
 
 use super::bsdf;
+use super::habit::Habit;
 use super::stack::{Stack, Truth};
 use pellicle::film::{CompiledMethod, Film, FilmDescription, OneLayer, OneLayerMethod as Kind};
 use pellicle::num::Rgb;
@@ -19,6 +20,8 @@ pub enum Peer {
     Forced(&'static str, f64),
     /// A film as the plan compiles it for a tolerance.
     Planned(f64),
+    /// Converged wave optics, but for a habit of Cycles.
+    Habit(Habit),
     /// Converged wave optics.
     Reference,
 }
@@ -95,6 +98,8 @@ pub enum Compiled {
     Layered(Box<(Bsdf<f32>, Bsdf<f64>)>),
     Method(Box<TwoPrecisions>),
     Film(Box<Film>),
+    /// The stack stands in for the truth where the habit changes nothing.
+    Habit(Habit, Box<Stack>),
     Reference(Box<Truth>),
     /// Why it does not take the stack.
     Refused(String),
@@ -109,6 +114,7 @@ impl Peer {
             Self::Method(kind) => kind.name(),
             Self::Forced(name, _) => name,
             Self::Planned(_) => "plan",
+            Self::Habit(habit) => habit.name(),
             Self::Reference => "reference",
         }
     }
@@ -154,6 +160,7 @@ impl Peer {
                 method: Some(method.into()),
                 ..stack.description(thickness_nm, tolerance)
             }),
+            Self::Habit(habit) => Ok(Compiled::Habit(habit, Box::new(stack.clone()))),
             Self::Reference => stack
                 .truth()
                 .map(|truth| Compiled::Reference(Box::new(truth))),
@@ -179,8 +186,17 @@ impl Compiled {
                 let found = truth.reflectance(cos_theta.into(), thickness_nm.into());
                 found.map(|channel| channel as f32)
             }
-            Self::Refused(_) => return None,
+            Self::Habit(..) | Self::Refused(_) => return None,
         })
+    }
+
+    /// The same where the truth is known, which habits need: they change it here and there.
+    pub fn beside(&self, truth: Rgb<f64>, cos_theta: f32, thickness_nm: f32) -> Option<Rgb<f32>> {
+        let Self::Habit(habit, stack) = self else {
+            return self.single(cos_theta, thickness_nm);
+        };
+        let changed = habit.changed(stack, cos_theta.into(), thickness_nm.into());
+        Some(changed.unwrap_or(truth).map(|channel| channel as f32))
     }
 
     /// The same formula in double precision; films have none of their own.
@@ -194,7 +210,7 @@ impl Compiled {
             }
             Self::Method(method) => method.double(cos_theta, thickness_nm),
             Self::Reference(truth) => truth.reflectance(cos_theta, thickness_nm),
-            Self::Film(_) | Self::Refused(_) => return None,
+            Self::Film(_) | Self::Habit(..) | Self::Refused(_) => return None,
         })
     }
 }

@@ -75,6 +75,15 @@ impl Stack {
         self.fixed.iter().fold(description, add)
     }
 
+    /// One film seen from its base; none if there are more layers.
+    pub fn turned(&self) -> Option<Self> {
+        self.is_one_layer().then(|| Self {
+            ambient: self.base.clone(),
+            base: self.ambient.clone(),
+            ..self.clone()
+        })
+    }
+
     pub fn truth(&self) -> Result<Truth, Error> {
         let fixed = self.fixed.iter().map(|(medium, _)| medium);
         let layers = [&self.film].into_iter().chain(fixed).cloned().collect();
@@ -95,12 +104,15 @@ pub struct Truth {
 impl Truth {
     /// The reflectance, not clipped.
     pub fn reflectance(&self, cos_theta: f64, thickness_nm: f64) -> [f64; 3] {
+        self.colors(Side::Ambient, cos_theta, thickness_nm)[0]
+    }
+
+    /// Reflectance and transmittance from a side, not clipped.
+    pub fn colors(&self, side: Side, cos_theta: f64, thickness_nm: f64) -> [[f64; 3]; 2] {
         let mut thicknesses = vec![thickness_nm];
         thicknesses.extend(&self.fixed_nm);
-        let found = self
-            .reference
-            .evaluate(Side::Ambient, cos_theta, &thicknesses);
-        found.reflectance
+        let found = self.reference.evaluate(side, cos_theta, &thicknesses);
+        [found.reflectance, found.transmittance]
     }
 }
 
