@@ -18,6 +18,7 @@ mod fringe_series;
 mod method;
 mod plan;
 mod spectra;
+mod spread;
 mod table;
 mod tabulated;
 mod tile;

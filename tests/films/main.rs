@@ -18,4 +18,5 @@ mod plan_cases;
 mod plan_refusals;
 mod precision;
 mod sides;
+mod spread;
 mod table_limit;

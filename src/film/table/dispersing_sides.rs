@@ -2,7 +2,8 @@
 
 use super::critical::{MIDDLE_NM, centres, near_and_far};
 use super::errors::Errors;
-use super::film_table::{FilmTable, Over};
+use super::film_table::Over;
+use super::levelled::{LevelledTable, Thickness};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};
@@ -25,9 +26,9 @@ pub(in crate::film) struct DispersingSides {
 /// The tables of one side.
 #[derive(Clone, Debug)]
 struct OneSide {
-    reflectance: FilmTable,
+    reflectance: LevelledTable,
     /// `None`: 1 - reflectance, as nothing absorbs.
-    transmittance: Option<Box<FilmTable>>,
+    transmittance: Option<Box<LevelledTable>>,
 }
 
 impl DispersingSides {
@@ -59,7 +60,7 @@ impl DispersingSides {
         self.front.reflectance.over_cosine()
     }
 
-    fn tables(&self) -> impl Iterator<Item = &FilmTable> {
+    fn tables(&self) -> impl Iterator<Item = &LevelledTable> {
         let sides = std::iter::once(&self.front).chain(self.back.as_deref());
         sides.flat_map(|side| {
             std::iter::once(&side.reflectance).chain(side.transmittance.as_deref())
@@ -67,24 +68,22 @@ impl DispersingSides {
     }
 
     pub(super) fn bytes(&self) -> usize {
-        self.tables().map(FilmTable::bytes).sum()
+        self.tables().map(LevelledTable::bytes).sum()
     }
 
     pub(super) fn size(&self) -> String {
-        let sizes: Vec<String> = self.tables().map(FilmTable::size).collect();
+        let sizes: Vec<String> = self.tables().map(LevelledTable::size).collect();
         sizes.join("; ")
     }
 
-    pub(super) fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
-        self.front
-            .reflectance
-            .at(f64::from(cos_theta), thickness_nm)
+    pub(super) fn reflectance<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Rgb<f32> {
+        thickness.color(&self.front.reflectance, f64::from(cos_theta))
     }
 
-    pub(super) fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+    pub(super) fn colors<T: Thickness>(&self, side: Side, cos_theta: f32, thickness: T) -> Colors {
         match (side, &self.back) {
-            (Side::Ambient, _) => self.front.colors(cos_theta, thickness_nm),
-            (Side::Base, Some(back)) => back.colors(cos_theta, thickness_nm),
+            (Side::Ambient, _) => self.front.colors(cos_theta, thickness),
+            (Side::Base, Some(back)) => back.colors(cos_theta, thickness),
             (Side::Base, None) => Colors::default(),
         }
     }
@@ -105,7 +104,7 @@ impl OneSide {
             let far = (!is_opaque).then_some(far);
             let centres = centres(description, near, far);
             let over = Over::Cosine(near.index(MIDDLE_NM).re, centres);
-            let fitted = FilmTable::fit(description, source, over, limits)?;
+            let fitted = LevelledTable::fit(description, source, over, limits)?;
             Ok::<_, Error>(fitted.map(|(table, found)| {
                 errors.merge(&found);
                 table
@@ -132,11 +131,11 @@ impl OneSide {
         }))
     }
 
-    fn colors(&self, cos_theta: f32, thickness_nm: f32) -> Colors {
+    fn colors<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Colors {
         let c = f64::from(cos_theta);
-        let reflectance = self.reflectance.at(c, thickness_nm);
+        let reflectance = thickness.color(&self.reflectance, c);
         let transmittance = match &self.transmittance {
-            Some(table) => table.at(c, thickness_nm),
+            Some(table) => thickness.color(table, c),
             None => reflectance.map(|r| 1.0 - r),
         };
         Colors {

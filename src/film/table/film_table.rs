@@ -45,6 +45,7 @@ enum Shape {
 }
 
 /// What a table is over, besides the thickness.
+#[derive(Clone)]
 pub(super) enum Over {
     /// The cosine in a medium of this index, with critical angles.
     Cosine(f64, Vec<Centre>),
