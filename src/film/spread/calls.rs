@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::film::Film;
 use crate::film::colors::{Colors, has_nan};
 use crate::film::evaluator::Evaluator;
+use crate::film::film::one_by_one;
 use crate::film::table::levelled::Spread;
 use crate::num::{Lane, Rgb};
 use crate::optics::stack::Side;
@@ -116,6 +117,25 @@ impl Film {
             _ => self.averaged(Side::Ambient, cos_theta, spread).reflectance,
         };
         f32::channels(self.clip::<f32>(f32::rgb(rgb)))
+    }
+
+    /// [`Film::spread_or_plain`] in each lane, one after another.
+    #[inline(always)]
+    pub(crate) fn spread_lanes<L: Lane<Scalar = f32>>(
+        &self,
+        cos_theta: L,
+        thickness_nm: L,
+        deviation_nm: L,
+    ) -> Rgb<L> {
+        const MOST: usize = 16;
+        let mut deviations = [0.0; MOST];
+        deviation_nm.store(&mut deviations[..L::COUNT]);
+        let lane = std::cell::Cell::new(0);
+        one_by_one([cos_theta, thickness_nm], |c, d| {
+            let deviation = deviations[lane.get()];
+            lane.set(lane.get() + 1);
+            self.spread_or_plain(c, d, deviation)
+        })
     }
 
     fn spread(&self, thickness_nm: f32, deviation_nm: f32) -> Spread {

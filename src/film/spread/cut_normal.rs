@@ -8,10 +8,13 @@ const STEP: f64 = 0.25;
 const ROWS: usize = 19;
 /// The greatest number of nodes of a rule for one end.
 const MOST: usize = 7;
-/// The numbers of nodes of the rules.
-pub(in crate::film) const COUNTS: [usize; 3] = [3, 5, MOST];
-/// The number of nodes where both ends are near, and how far they reach, in deviations.
+/// The numbers of nodes of the rules for one end.
+const COUNTS: [usize; 3] = [3, 5, MOST];
+/// The number of rules, of which the last one, with [`WIDE`] nodes, is for waves of up to 4 radians per deviation.
+pub(in crate::film) const ORDERS: usize = COUNTS.len() + 1;
+/// The number of nodes where both ends are near, that of the last rule, and how far both reach, in deviations.
 const LEGENDRE: usize = 12;
+const WIDE: usize = 24;
 const REACH: f32 = 4.0;
 /// Nodes of the sums that stand for integrals where the rules are made.
 const FINE: usize = 96;
@@ -20,8 +23,8 @@ const SUPPORT: f64 = 9.0;
 /// Nodes in deviations from the middle, and weights, which are positive and sum to 1.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::film) struct Rule {
-    nodes: [f32; LEGENDRE],
-    weights: [f32; LEGENDRE],
+    nodes: [f32; WIDE],
+    weights: [f32; WIDE],
     count: usize,
 }
 
@@ -32,6 +35,7 @@ pub(in crate::film) struct CutNormal {
     /// Nodes and weights by the number of nodes and the distance of the lower end; the upper one is far.
     rows: [[[[f32; MOST]; 2]; ROWS]; COUNTS.len()],
     legendre: [[f32; LEGENDRE]; 2],
+    wide: [[f32; WIDE]; 2],
 }
 
 impl CutNormal {
@@ -40,16 +44,20 @@ impl CutNormal {
         let row = |order: usize, row: usize| gauss(COUNTS[order], STEP * row as f64, &fine);
         Self {
             rows: std::array::from_fn(|order| std::array::from_fn(|i| row(order, i))),
-            legendre: legendre::<LEGENDRE>().map(|numbers| numbers.map(|x| x as f32)),
+            legendre: legendre().map(|numbers| numbers.map(|x| x as f32)),
+            wide: legendre().map(|numbers| numbers.map(|x| x as f32)),
         }
     }
 
-    /// The rule of [`COUNTS`] `[order]` nodes for a distribution whose lower and upper end are at these distances from
-    /// the middle, in deviations, at least 0; of more nodes where both are near.
+    /// The rule of an order below [`ORDERS`] for a distribution whose lower and upper end are at these distances from
+    /// the middle, in deviations, at least 0. It has more nodes where both are near.
     pub fn rule(&self, order: usize, [lower, upper]: [f32; 2]) -> Rule {
         let far = FAR as f32;
+        if order == COUNTS.len() {
+            return between(&self.wide, lower, upper);
+        }
         if lower < far && upper < far {
-            return self.between(lower, upper);
+            return between(&self.legendre, lower, upper);
         }
         let sign = if upper < far { -1.0 } else { 1.0 };
         let position = lower.min(upper).min(far) / STEP as f32;
@@ -68,30 +76,30 @@ impl CutNormal {
         }
         rule
     }
+}
 
-    /// The rule of Gauss and Legendre, weighted by the distribution.
-    fn between(&self, lower: f32, upper: f32) -> Rule {
-        let [from, to] = [-lower.min(REACH), upper.min(REACH)];
-        let mut rule = Rule::EMPTY;
-        rule.count = LEGENDRE;
-        let mut total = 0.0;
-        for i in 0..LEGENDRE {
-            let x = 0.5 * ((from + to) + (to - from) * self.legendre[0][i]);
-            let weight = self.legendre[1][i] * (-0.5 * x * x).exp();
-            (rule.nodes[i], rule.weights[i]) = (x, weight);
-            total += weight;
-        }
-        for weight in &mut rule.weights {
-            *weight /= total;
-        }
-        rule
+/// The rule of Gauss and Legendre, weighted by the distribution.
+fn between<const N: usize>(legendre: &[[f32; N]; 2], lower: f32, upper: f32) -> Rule {
+    let [from, to] = [-lower.min(REACH), upper.min(REACH)];
+    let mut rule = Rule::EMPTY;
+    rule.count = N;
+    let mut total = 0.0;
+    for i in 0..N {
+        let x = 0.5 * ((from + to) + (to - from) * legendre[0][i]);
+        let weight = legendre[1][i] * (-0.5 * x * x).exp();
+        (rule.nodes[i], rule.weights[i]) = (x, weight);
+        total += weight;
     }
+    for weight in &mut rule.weights[..N] {
+        *weight /= total;
+    }
+    rule
 }
 
 impl Rule {
     const EMPTY: Self = Self {
-        nodes: [0.0; LEGENDRE],
-        weights: [0.0; LEGENDRE],
+        nodes: [0.0; WIDE],
+        weights: [0.0; WIDE],
         count: 0,
     };
 
@@ -218,7 +226,12 @@ mod tests {
             }
             sum / total
         };
-        for (order, wave, allowed) in [(0, 0.4, 2e-4), (1, 1.0, 2e-4), (2, 1.5, 3e-4)] {
+        for (order, wave, allowed) in [
+            (0, 0.4, 2e-4),
+            (1, 1.0, 2e-4),
+            (2, 1.5, 3e-4),
+            (3, 3.5, 3e-4),
+        ] {
             let rule = rules.rule(order, [lower as f32, upper as f32]);
             let mut total = 0.0;
             for (node, weight) in rule.iter() {

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::film::colors::Colors;
 use crate::film::description::FilmDescription;
 use crate::film::spread::average::Fringes;
-use crate::film::spread::cut_normal::{COUNTS, CutNormal};
+use crate::film::spread::cut_normal::{CutNormal, ORDERS};
 use crate::num::Rgb;
 
 /// What a table is looked up at besides the cosine: a thickness, nm, or a [`Spread`] of it.
@@ -51,7 +51,7 @@ pub(in crate::film) struct LevelledTable {
 /// The averages of a table.
 ///
 /// Up to a deviation at which its error is measured to be small, a Gauss rule of the cut distribution averages the
-/// table itself: 3, 5 or 7 nodes. Beyond, tables of averages at fixed deviations are interpolated. They are averages
+/// table itself: 3, 5, 7 or, until fringes have faded, 24 nodes. Beyond, tables of averages at fixed deviations are interpolated. They are averages
 /// of the fitted table, because those of the series differ by less than the table does, and cost a hundredth. The
 /// cut is in them, and they become smoother with the deviation, so that each is smaller than the one before.
 ///
@@ -62,7 +62,7 @@ struct Levels {
     fringes: Fringes,
     rules: CutNormal,
     /// The greatest deviation for each rule, nm.
-    limits: [f32; COUNTS.len()],
+    limits: [f32; ORDERS],
     /// An odd number, or none.
     levels: Vec<Level>,
 }
@@ -76,9 +76,9 @@ struct Level {
 
 /// Parts of the tolerance: the errors allowed of a rule and of a parabola between levels, at the points that are
 /// tried, and the tolerance of a level's own fit, of which it uses half.
-const RULE: f64 = 0.12;
-const PARABOLA: f64 = 0.15;
-const LEVEL: f64 = 0.6;
+const RULE: f64 = 0.2;
+const PARABOLA: f64 = 0.35;
+const LEVEL: f64 = 0.7;
 /// The numbers of cosines and thicknesses that are tried.
 const COSINES: usize = 8;
 const THICKNESSES: usize = 11;
@@ -137,7 +137,16 @@ impl LevelledTable {
             .map_or(0, |levels| levels.levels.len());
         match levels {
             0 => self.base.size(),
-            _ => format!("{} with {levels} levels of spread", self.base.size()),
+            _ => format!(
+                "{} with {levels} levels of spread {:?} {:?}",
+                self.base.size(),
+                self.levels.as_deref().map(|l| l.limits),
+                self.levels.as_deref().map(|l| l
+                    .levels
+                    .iter()
+                    .map(|l| (l.ln_nm.exp(), l.table.size()))
+                    .collect::<Vec<_>>())
+            ),
         }
     }
 }
@@ -152,7 +161,7 @@ impl Levels {
         let mut levels = Self {
             fringes: Fringes::new(description),
             rules: CutNormal::new(),
-            limits: [0.0; COUNTS.len()],
+            limits: [0.0; ORDERS],
             levels: Vec::new(),
         };
         let [least, greatest] = levels.fringes.range;
@@ -160,10 +169,10 @@ impl Levels {
             .thickness_spread_max_nm
             .min(UNIFORM * (greatest - least));
         let samples = levels.samples();
-        for order in 0..COUNTS.len() {
+        for order in 0..ORDERS {
             levels.limits[order] = levels.limit(base, order, &samples, most, &limits);
         }
-        let first = f64::from(levels.limits[COUNTS.len() - 1]);
+        let first = f64::from(levels.limits[ORDERS - 1]);
         if first >= most {
             return Ok(levels);
         }
