@@ -12,11 +12,11 @@ const BEYOND: f64 = 3.0;
 /// The greatest part of a deviation that a panel covers.
 const PART: f64 = 0.7;
 /// The number of panels to the shortest fringe.
-const PANELS: f64 = 6.0;
+const PANELS: f64 = 3.0;
 /// Half the shortest visible wavelength, nm: the optical thickness from fringe to fringe.
 const FRINGE_NM: f64 = 190.0;
 /// The optical thickness up to which fringes are seen well, nm. Beyond it panels grow in proportion.
-const COHERENT_NM: f64 = 6000.0;
+const COHERENT_NM: f64 = 4000.0;
 /// Panels grow where there would be more.
 const MOST_PANELS: f64 = 4000.0;
 /// The Gauss rule of four nodes on [-1, 1] (Abramowitz and Stegun 1964, table 25.4).

@@ -10,11 +10,13 @@ const ROWS: usize = 19;
 const MOST: usize = 7;
 /// The numbers of nodes of the rules for one end.
 const COUNTS: [usize; 3] = [3, 5, MOST];
-/// The number of rules, of which the last one, with [`WIDE`] nodes, is for waves of up to 4 radians per deviation.
-pub(in crate::film) const ORDERS: usize = COUNTS.len() + 1;
-/// The number of nodes where both ends are near, that of the last rule, and how far both reach, in deviations.
+/// The number of rules. The last two have [`WIDE`] and [`WIDEST`] nodes, for waves of up to 4 radians per deviation
+/// and for peaks as narrow as a fifth of it.
+pub(in crate::film) const ORDERS: usize = COUNTS.len() + 2;
+/// The number of nodes where both ends are near, those of the last rules, and how far they reach, in deviations.
 const LEGENDRE: usize = 12;
 const WIDE: usize = 24;
+const WIDEST: usize = 64;
 const REACH: f32 = 4.0;
 /// Nodes of the sums that stand for integrals where the rules are made.
 const FINE: usize = 96;
@@ -23,8 +25,8 @@ const SUPPORT: f64 = 9.0;
 /// Nodes in deviations from the middle, and weights, which are positive and sum to 1.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::film) struct Rule {
-    nodes: [f32; WIDE],
-    weights: [f32; WIDE],
+    nodes: [f32; WIDEST],
+    weights: [f32; WIDEST],
     count: usize,
 }
 
@@ -36,6 +38,7 @@ pub(in crate::film) struct CutNormal {
     rows: [[[[f32; MOST]; 2]; ROWS]; COUNTS.len()],
     legendre: [[f32; LEGENDRE]; 2],
     wide: [[f32; WIDE]; 2],
+    widest: [[f32; WIDEST]; 2],
 }
 
 impl CutNormal {
@@ -46,6 +49,7 @@ impl CutNormal {
             rows: std::array::from_fn(|order| std::array::from_fn(|i| row(order, i))),
             legendre: legendre().map(|numbers| numbers.map(|x| x as f32)),
             wide: legendre().map(|numbers| numbers.map(|x| x as f32)),
+            widest: legendre().map(|numbers| numbers.map(|x| x as f32)),
         }
     }
 
@@ -55,6 +59,9 @@ impl CutNormal {
         let far = FAR as f32;
         if order == COUNTS.len() {
             return between(&self.wide, lower, upper);
+        }
+        if order > COUNTS.len() {
+            return between(&self.widest, lower, upper);
         }
         if lower < far && upper < far {
             return between(&self.legendre, lower, upper);
@@ -98,8 +105,8 @@ fn between<const N: usize>(legendre: &[[f32; N]; 2], lower: f32, upper: f32) -> 
 
 impl Rule {
     const EMPTY: Self = Self {
-        nodes: [0.0; WIDE],
-        weights: [0.0; WIDE],
+        nodes: [0.0; WIDEST],
+        weights: [0.0; WIDEST],
         count: 0,
     };
 
@@ -231,6 +238,7 @@ mod tests {
             (1, 1.0, 2e-4),
             (2, 1.5, 3e-4),
             (3, 3.5, 3e-4),
+            (4, 9.0, 3e-4),
         ] {
             let rule = rules.rule(order, [lower as f32, upper as f32]);
             let mut total = 0.0;

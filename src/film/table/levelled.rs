@@ -51,7 +51,7 @@ pub(in crate::film) struct LevelledTable {
 /// The averages of a table.
 ///
 /// Up to a deviation at which its error is measured to be small, a Gauss rule of the cut distribution averages the
-/// table itself: 3, 5, 7 or, until fringes have faded, 24 nodes. Beyond, tables of averages at fixed deviations are interpolated. They are averages
+/// table itself: 3, 5 or 7 nodes, and until fringes have faded 24 or 64. Beyond, tables of averages at fixed deviations are interpolated. They are averages
 /// of the fitted table, because those of the series differ by less than the table does, and cost a hundredth. The
 /// cut is in them, and they become smoother with the deviation, so that each is smaller than the one before.
 ///
@@ -80,10 +80,10 @@ const RULE: f64 = 0.2;
 const PARABOLA: f64 = 0.35;
 const LEVEL: f64 = 0.7;
 /// The numbers of cosines and thicknesses that are tried.
-const COSINES: usize = 8;
-const THICKNESSES: usize = 11;
+const COSINES: usize = 7;
+const THICKNESSES: usize = 9;
 /// The ratio of the deviations that are tried for a rule, and the first one as a part of a fringe.
-const RATIO: f64 = 1.15;
+const RATIO: f64 = 1.25;
 const FIRST: f64 = 0.02;
 /// The greatest and the least distance of levels, as logarithms, and the ratio of those that are tried.
 const WIDEST: f64 = 1.5;
@@ -137,16 +137,7 @@ impl LevelledTable {
             .map_or(0, |levels| levels.levels.len());
         match levels {
             0 => self.base.size(),
-            _ => format!(
-                "{} with {levels} levels of spread {:?} {:?}",
-                self.base.size(),
-                self.levels.as_deref().map(|l| l.limits),
-                self.levels.as_deref().map(|l| l
-                    .levels
-                    .iter()
-                    .map(|l| (l.ln_nm.exp(), l.table.size()))
-                    .collect::<Vec<_>>())
-            ),
+            _ => format!("{} with {levels} levels of spread", self.base.size()),
         }
     }
 }
@@ -221,7 +212,10 @@ impl Levels {
         most: f64,
         limits: &FitLimits,
     ) -> f32 {
-        let mut found = FIRST * self.fringes.period;
+        let before = order
+            .checked_sub(1)
+            .map_or(0.0, |order| f64::from(self.limits[order]));
+        let mut found = before.max(FIRST * self.fringes.period);
         while found < most {
             let next = found * RATIO;
             let is_exact = samples.iter().all(|&(c, d)| {
