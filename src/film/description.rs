@@ -167,6 +167,14 @@ impl FilmDescription {
         })
     }
 
+    /// The half-space that light from a side is in, and the other one.
+    pub(super) fn near_and_far(&self, side: Side) -> [&Medium; 2] {
+        match side {
+            Side::Ambient => [&self.ambient, &self.base],
+            Side::Base => [&self.base, &self.ambient],
+        }
+    }
+
     /// One thickness per layer, nm; the varying one is clamped to its range.
     pub(super) fn thicknesses(&self, varying_nm: f64) -> Vec<f64> {
         let thickness = |layer: &FilmLayer| {

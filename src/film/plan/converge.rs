@@ -8,6 +8,7 @@ use crate::film::fringe_series::series::FringeSeries;
 use crate::film::table::errors::Errors;
 use crate::optics::Reference;
 use crate::optics::stack::Side;
+use std::f64::consts::TAU;
 
 /// The searches for a series: whether it is graded, and the least and the greatest number of wavenumbers, each half
 /// as large again as the one before. A graded series takes longer for each angle, but wants fewer wavenumbers where
@@ -23,6 +24,16 @@ const PARTS: [f64; 4] = [1.0, 0.0, 0.37, 0.029];
 const SOME_NM: [f64; 9] = [
     5.3, 24.0, 110.0, 640.0, 1800.0, 3100.0, 4300.0, 7500.0, 12_000.0,
 ];
+/// A series of a stack of several layers is also compared with a graded one just beyond the critical angle of each
+/// layer: at this wavelength, nm, and at these decays of the amplitude across the layer, in nepers. Light tunnels through
+/// the layer there, to resonances behind it that are narrow and still show; few of the points above meet one.
+const TUNNEL_NM: f64 = 550.0;
+const DECAYS: [f64; 8] = [0.3, 0.6, 1.0, 1.4, 1.8, 2.4, 3.2, 4.0];
+/// The number of wavelengths whose critical angles are looked at, where a half-space disperses: the error of a branch
+/// point is great where it lies on a resonance, which may be narrow. The first and the last, nm: the channels are
+/// small beyond.
+const BRANCHES: usize = 24;
+const BRANCHES_NM: [f64; 2] = [410.0, 690.0];
 /// The difference of two series is at least this multiple of the error of the finer one: once the
 /// wavenumbers resolve the spectrum, the error falls faster than any power of their number.
 const FASTER: f64 = 3.0;
@@ -46,6 +57,7 @@ pub(super) fn converged(
 ) -> Result<(FringeSeries, f64), Error> {
     let points: Vec<_> = corners(description)
         .chain(points(description, POINTS))
+        .chain(at_branches(description))
         .collect();
     let has_tables = !description.nodes_nm()?.is_empty();
     let stride = if has_tables { 1 } else { SELDOM };
@@ -91,8 +103,11 @@ pub(super) fn converged(
             count += count / 2;
             let fine = series(count)?;
             let found = evaluated(&fine, &points);
-            let error = error_of(&found, &values).max(unresolved(count)?);
+            let mut error = error_of(&found, &values).max(unresolved(count)?);
             values = found;
+            if error <= tolerance && !is_graded {
+                error = error.max(behind_tunnels(description, &fine, tolerance));
+            }
             if error < best.1 {
                 best = (fine, error);
             }
@@ -168,6 +183,61 @@ fn greatest(description: &FilmDescription, found: &[Colors<f64>], expected: &[Co
         }
     }
     errors.max
+}
+
+/// The greatest difference of a series and a graded one where light tunnels through a layer. The search ends with the
+/// first difference that is not allowed.
+fn behind_tunnels(description: &FilmDescription, series: &FringeSeries, allowed: f64) -> f64 {
+    if description.layers.len() < 2 {
+        return 0.0;
+    }
+    let graded = series.clone().graded();
+    let [least, most] = measured_range(description);
+    let mut error = 0.0f64;
+    for &side in description.sides() {
+        let near = description.near_and_far(side)[0].index(TUNNEL_NM).re;
+        for layer in &description.layers {
+            let ratio = layer.medium.index(TUNNEL_NM).re / near;
+            let reach = TUNNEL_NM / (TAU * near * layer.thickness_nm[1]);
+            for (i, decay) in DECAYS.into_iter().enumerate() {
+                let squared = (1.0 - ratio) * (1.0 + ratio) - (decay * reach).powi(2);
+                if squared <= 0.0 {
+                    continue;
+                }
+                let thickness_nm = least + (0.569_840_291 * i as f64).fract() * (most - least);
+                let point = [(side, squared.sqrt(), thickness_nm)];
+                let [found, expected] = [series, &graded].map(|series| evaluated(series, &point));
+                error = error.max(greatest(description, &found, &expected));
+                if error > allowed {
+                    return error;
+                }
+            }
+        }
+    }
+    error
+}
+
+/// Points at the critical angles of `BRANCHES` wavelengths, if each has its own.
+fn at_branches(description: &FilmDescription) -> Vec<(Side, f64, f64)> {
+    if !description.disperses() || description.is_base_opaque() {
+        return Vec::new();
+    }
+    let [least, greatest] = measured_range(description);
+    let [first, last] = BRANCHES_NM.map(|nm| 1.0 / nm);
+    let points = description.sides().iter().flat_map(|&side| {
+        let [near, far] = description.near_and_far(side);
+        (0..BRANCHES).filter_map(move |i| {
+            let part = i as f64 / (BRANCHES - 1) as f64;
+            let nm = 1.0 / (first + part * (last - first));
+            let ratio = far.index(nm).re / near.index(nm).re;
+            let thickness_nm = least + (0.569_840_291 * i as f64).fract() * (greatest - least);
+            (ratio < 1.0).then(|| {
+                let cosine = ((1.0 - ratio) * (1.0 + ratio)).sqrt();
+                (side, cosine, thickness_nm)
+            })
+        })
+    });
+    points.collect()
 }
 
 /// The points of `COSINES`, `PARTS` and `SOME_NM`, from all sides.

@@ -97,10 +97,7 @@ pub(in crate::film) fn critical_angles(
     description: &FilmDescription,
     side: Side,
 ) -> CriticalAngles {
-    let (near, far) = match side {
-        Side::Ambient => (&description.ambient, &description.base),
-        Side::Base => (&description.base, &description.ambient),
-    };
+    let [near, far] = description.near_and_far(side);
     let layers = description.layers.iter().map(|layer| &layer.medium);
     let [mut constant, mut dispersing] = [Vec::new(), Vec::new()];
     for medium in layers.chain(std::iter::once(far)) {

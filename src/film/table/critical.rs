@@ -1,7 +1,6 @@
 //! A coordinate for cosines at which the colours change within narrow intervals: around the critical angles.
 
 use crate::film::description::FilmDescription;
-use crate::optics::stack::Side;
 use crate::optics::{Medium, VISIBLE_NM};
 
 /// Wavenumbers at which the critical cosines are looked at.
@@ -162,13 +161,12 @@ fn add(found: &mut Vec<Centre>, near: &Medium, medium: &Medium, least_width: f64
         width,
     }];
     for end in [least, greatest] {
-        let distance = |c: &f64| (c - end).abs();
-        let same = cosines.iter().map(distance);
-        let same = same.filter(|distance| *distance <= SAME_WITHIN * (greatest - least));
-        let (count, spread) = same.fold((0, 0.0f64), |(count, spread), distance| {
-            (count + 1, spread.max(distance))
-        });
-        if count >= SAME && width > least_width {
+        let mut distances: Vec<f64> = cosines.iter().map(|c| (c - end).abs()).collect();
+        distances.sort_by(f64::total_cmp);
+        let Some(&spread) = distances.get(SAME - 1) else {
+            continue;
+        };
+        if spread <= SAME_WITHIN * (greatest - least) && width > least_width {
             all.push(Centre {
                 cosine: end,
                 width: (PART * spread).max(least_width),
@@ -183,13 +181,5 @@ fn add(found: &mut Vec<Centre>, near: &Medium, medium: &Medium, least_width: f64
         if !found.iter().any(is_there) {
             found.push(centre);
         }
-    }
-}
-
-/// The medium that light from a side is in, and the one that it may enter.
-pub(super) fn near_and_far(description: &FilmDescription, side: Side) -> [&Medium; 2] {
-    match side {
-        Side::Ambient => [&description.ambient, &description.base],
-        Side::Base => [&description.base, &description.ambient],
     }
 }

@@ -1,6 +1,6 @@
 //! The tables of a film between half-spaces of which one disperses, so that every wavelength has its own critical angle.
 
-use super::critical::{MIDDLE_NM, centres, near_and_far};
+use super::critical::{MIDDLE_NM, centres};
 use super::errors::Errors;
 use super::film_table::Over;
 use super::levelled::{LevelledTable, Thickness};
@@ -98,7 +98,7 @@ impl OneSide {
         errors: &mut Errors,
     ) -> Result<Option<Self>, Error> {
         let is_opaque = description.is_base_opaque();
-        let [near, far] = near_and_far(description, side);
+        let [near, far] = description.near_and_far(side);
         let mut sampler = SeriesSampler::new(series);
         let mut fitted = |source: &mut ColorSource<'_>| {
             let far = (!is_opaque).then_some(far);
