@@ -42,15 +42,17 @@ pub(in crate::film) struct CutNormal {
 }
 
 impl CutNormal {
-    pub fn new() -> Self {
+    /// On the heap, as films are made on small stacks.
+    #[inline(never)]
+    pub fn new() -> Box<Self> {
         let fine = legendre::<FINE>();
         let row = |order: usize, row: usize| gauss(COUNTS[order], STEP * row as f64, &fine);
-        Self {
+        Box::new(Self {
             rows: std::array::from_fn(|order| std::array::from_fn(|i| row(order, i))),
             legendre: legendre().map(|numbers| numbers.map(|x| x as f32)),
             wide: legendre().map(|numbers| numbers.map(|x| x as f32)),
             widest: legendre().map(|numbers| numbers.map(|x| x as f32)),
-        }
+        })
     }
 
     /// The rule of an order below [`ORDERS`] for a distribution whose lower and upper end are at these distances from

@@ -60,7 +60,7 @@ pub(in crate::film) struct LevelledTable {
 #[derive(Clone, Debug)]
 struct Levels {
     fringes: Fringes,
-    rules: CutNormal,
+    rules: Box<CutNormal>,
     /// The greatest deviation for each rule, nm.
     limits: [f32; ORDERS],
     /// An odd number, or none.
@@ -124,7 +124,7 @@ impl LevelledTable {
     pub fn bytes(&self) -> usize {
         let levels = self.levels.as_deref().map_or(0, |levels| {
             let tables = levels.levels.iter().map(|level| level.table.bytes());
-            size_of::<Levels>() + tables.sum::<usize>()
+            size_of::<Levels>() + size_of::<CutNormal>() + tables.sum::<usize>()
         });
         self.base.bytes() + levels
     }
@@ -143,6 +143,7 @@ impl LevelledTable {
 }
 
 impl Levels {
+    #[inline(never)]
     fn fit(
         description: &FilmDescription,
         base: &FilmTable,
