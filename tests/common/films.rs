@@ -116,7 +116,10 @@ impl Kind {
                 }
             }
             Self::Metal => two_sided(bare(medium("Au"))).layer(constant(1.38, 0.0), [300.0; 2]),
-            Self::Bubble => two_sided(bare(Medium::vacuum())).layer(medium("water"), [50.0, 900.0]),
+            Self::Bubble => FilmDescription {
+                thickness_spread_max_nm: 200.0,
+                ..two_sided(bare(Medium::vacuum())).layer(medium("water"), [50.0, 900.0])
+            },
             Self::Sunglasses => FilmDescription {
                 ambient: medium("air"),
                 ..two_sided(bare(medium("BK7")))
