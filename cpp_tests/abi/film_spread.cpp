@@ -8,11 +8,12 @@ namespace {
 using support::Untouched;
 using support::Vec3;
 
-// Water between vacuum and vacuum.
+// Water between vacuum and vacuum; unclipped, because colours are averaged before they are clipped.
 pellicle::Film bubble(float spread_max_nm) {
     return pellicle::FilmBuilder(pellicle::Medium("vacuum"))
         .layer("water", 0.0f, 600.0f)
         .transmittance()
+        .unclipped()
         .thickness_spread_max(spread_max_nm)
         .create();
 }
