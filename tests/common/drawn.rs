@@ -103,7 +103,7 @@ impl Drawn {
                 numbers[thickness] = vec![number(rng, min as f32, max as f32)];
                 let spread = entry.info.film_thickness_spread.unwrap();
                 let most = used.thickness_spread_max_nm();
-                if most > 0.0 && rng.random_bool(0.9) {
+                if most > 0.0 {
                     numbers[spread] = vec![number(rng, 0.0, most)];
                 }
             }

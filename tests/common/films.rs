@@ -122,6 +122,7 @@ impl Kind {
             },
             Self::Sunglasses => FilmDescription {
                 ambient: medium("air"),
+                thickness_spread_max_nm: 100.0,
                 ..two_sided(bare(medium("BK7")))
             }
             .layer(medium("TiO2"), [100.0, 300.0])

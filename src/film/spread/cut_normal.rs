@@ -93,9 +93,9 @@ fn between<const N: usize>(legendre: &[[f32; N]; 2], lower: f32, upper: f32) -> 
     let mut rule = Rule::EMPTY;
     rule.count = N;
     let mut total = 0.0;
-    for i in 0..N {
-        let x = 0.5 * ((from + to) + (to - from) * legendre[0][i]);
-        let weight = legendre[1][i] * (-0.5 * x * x).exp();
+    for (i, (node, weight)) in legendre[0].iter().zip(legendre[1]).enumerate() {
+        let x = 0.5 * ((from + to) + (to - from) * node);
+        let weight = weight * (-0.5 * x * x).exp();
         (rule.nodes[i], rule.weights[i]) = (x, weight);
         total += weight;
     }
@@ -185,7 +185,8 @@ fn polynomial(a: &[f64], b: &[f64], t: f64) -> f64 {
 fn legendre<const N: usize>() -> [[f64; N]; 2] {
     let n = N as f64;
     let mut rule = [[0.0; N]; 2];
-    for i in 0..N {
+    let [nodes, weights] = &mut rule;
+    for (i, (node, weight)) in nodes.iter_mut().zip(weights).enumerate() {
         let mut x = -(std::f64::consts::PI * (i as f64 + 0.75) / (n + 0.5)).cos();
         let mut slope = 1.0;
         for _ in 0..20 {
@@ -197,8 +198,8 @@ fn legendre<const N: usize>() -> [[f64; N]; 2] {
             slope = n * (x * now - before) / (x * x - 1.0);
             x -= now / slope;
         }
-        rule[0][i] = x;
-        rule[1][i] = 2.0 / ((1.0 - x * x) * slope * slope);
+        *node = x;
+        *weight = 2.0 / ((1.0 - x * x) * slope * slope);
     }
     rule
 }
