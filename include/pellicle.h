@@ -329,6 +329,10 @@ typedef struct PellicleFilmDesc {
     // are taken to be constant; 0: it refuses that. A named medium has the range of its data (PellicleMediumInfo), a
     // table that of its entries, a constant given by `eta` and `k` all wavelengths, and one that disperses 380-780 nm.
     uint32_t extrapolate;
+    // The greatest standard deviation of the thickness that varies which calls may give, nm, within [0, 1e8];
+    // 0: calls give none. Tables of averages are made for it, with up to twice the bytes of the film's own. No layer
+    // that varies: INVALID_ARGUMENT.
+    float thickness_spread_max_nm;
 } PellicleFilmDesc;
 
 // What a film is. It grows by appending; pass sizeof(PellicleFilmInfo).
@@ -353,6 +357,8 @@ typedef struct PellicleFilmInfo {
     float lambda_min_nm;
     // The greatest wavelength that all media are known for, nm; infinite if all are constant.
     float lambda_max_nm;
+    // The greatest standard deviation of the thickness that calls may give, nm; 0: they may give none.
+    float thickness_spread_max_nm;
 } PellicleFilmInfo;
 
 // How a film evaluates light from one side. Frozen.
@@ -634,6 +640,9 @@ typedef struct PellicleFilmBatchArgs {
     PellicleConstView thickness_nm;
     // Receives the reflectance, 3 components.
     PellicleView reflectance;
+    // Standard deviations of the thickness, nm, 1 component, as in pellicle_film_reflectance_spread(); data NULL: 0.
+    // One that single calls refuse is refused whichever element it belongs to, and nothing is written.
+    PellicleConstView thickness_spread_nm;
 } PellicleFilmBatchArgs;
 
 // Arguments of pellicle_film_amplitudes_batch(). Zero-initialise them. They grow by appending; pass
@@ -704,6 +713,20 @@ struct PellicleApi {
         const PellicleFilm *film,
         float cos_theta,
         float thickness_nm,
+        uint32_t side,
+        float *reflectance,
+        float *transmittance);
+    PellicleStatus (*film_reflectance_spread)(
+        const PellicleFilm *film,
+        float cos_theta,
+        float thickness_nm,
+        float thickness_spread_nm,
+        float *rgb);
+    PellicleStatus (*film_eval_spread)(
+        const PellicleFilm *film,
+        float cos_theta,
+        float thickness_nm,
+        float thickness_spread_nm,
         uint32_t side,
         float *reflectance,
         float *transmittance);
@@ -955,6 +978,36 @@ PellicleStatus pellicle_film_eval(const PellicleFilm *film,
                                   uint32_t side,
                                   float *reflectance,
                                   float *transmittance);
+
+// pellicle_film_reflectance(), averaged over a spread of thickness: that of a pixel, or of a real layer.
+//
+// `thickness_spread_nm`: the standard deviation of a normal distribution around `thickness_nm`, which is cut to the
+// range of the layer that varies and renormalised; the mean of the distribution is then not `thickness_nm`. 0: the
+// bits of pellicle_film_reflectance(). Negative, NaN or infinite: OUT_OF_RANGE. Above
+// PellicleFilmDesc::thickness_spread_max_nm: clamped to it; positive where that is 0 or no layer varies:
+// INVALID_ARGUMENT. Colours are averaged before they are clipped. The others as in pellicle_film_reflectance().
+// Spectra and amplitudes know no spread: average pellicle_film_spectrum() over thicknesses of your own.
+//
+// Preconditions:
+// As for pellicle_film_reflectance().
+PellicleStatus pellicle_film_reflectance_spread(const PellicleFilm *film,
+                                                float cos_theta,
+                                                float thickness_nm,
+                                                float thickness_spread_nm,
+                                                float *rgb);
+
+// pellicle_film_eval(), averaged over a spread of thickness as in pellicle_film_reflectance_spread(). The averages of
+// a film that does not absorb sum to 1 where its colours do.
+//
+// Preconditions:
+// As for pellicle_film_eval().
+PellicleStatus pellicle_film_eval_spread(const PellicleFilm *film,
+                                         float cos_theta,
+                                         float thickness_nm,
+                                         float thickness_spread_nm,
+                                         uint32_t side,
+                                         float *reflectance,
+                                         float *transmittance);
 
 // What pellicle_film_reflectance() approximates: the reflectance by full wave optics, converged and
 // never clipped. Slow (25 microseconds and up); it allocates. Call it to check, not to shade.

@@ -246,6 +246,24 @@ public:
         return result;
     }
 
+    // reflectance() averaged over a normal distribution of thickness; needs FilmBuilder::thickness_spread_max().
+    std::array<float, 3> reflectance_spread(float cos_theta, float thickness_nm, float thickness_spread_nm) const {
+        std::array<float, 3> result{};
+        detail::pellicle_throw_on_failure(pellicle_film_reflectance_spread(raw(), cos_theta, thickness_nm,
+                                                                           thickness_spread_nm, result.data()));
+        return result;
+    }
+
+    // eval() averaged likewise.
+    FilmColors eval_spread(float cos_theta, float thickness_nm, float thickness_spread_nm,
+                           std::uint32_t side = PELLICLE_SIDE_AMBIENT) const {
+        FilmColors result{};
+        detail::pellicle_throw_on_failure(
+            pellicle_film_eval_spread(raw(), cos_theta, thickness_nm, thickness_spread_nm, side,
+                                      result.reflectance.data(), result.transmittance.data()));
+        return result;
+    }
+
     // reflectance() of args.count elements; the numbers are those of single calls.
     void reflectance_batch(const PellicleFilmBatchArgs &args) const {
         detail::pellicle_throw_on_failure(pellicle_film_reflectance_batch(raw(), &args, sizeof args));
@@ -362,6 +380,12 @@ public:
     // Whether light in the base is followed: PELLICLE_BASE_OPAQUE or PELLICLE_BASE_TRANSPARENT, instead of by its k.
     FilmBuilder &base_opaque(std::uint32_t base_opaque) {
         desc_.base_opaque = base_opaque;
+        return *this;
+    }
+
+    // The greatest standard deviation of the thickness that calls may give, nm.
+    FilmBuilder &thickness_spread_max(float nm) {
+        desc_.thickness_spread_max_nm = nm;
         return *this;
     }
 

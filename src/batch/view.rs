@@ -37,6 +37,13 @@ pub(super) const LEAST_DISTANCE: usize = 256;
 const NUMBER: isize = size_of::<f32>() as isize;
 
 impl ConstView {
+    /// No array: null data.
+    pub const NONE: Self = Self {
+        data: std::ptr::null(),
+        element_stride: 0,
+        component_stride: 0,
+    };
+
     /// Refuses null data, unless there are no elements, and offsets that overflow.
     #[inline]
     pub(super) fn check(&self, name: &str, components: usize, count: usize) -> Result<(), Error> {

@@ -33,6 +33,7 @@ pub(super) fn check_film(
             )));
         }
     };
+    check_spread(entry, film, values, given, varying)?;
     let Some(param) = entry.info.film_thickness else {
         return Ok(());
     };
@@ -70,6 +71,44 @@ pub(super) fn check_film(
             )))
         }
     }
+}
+
+/// Refuses a spread of thickness where no layer varies, and one that the film has no averages for.
+fn check_spread(
+    entry: &RegisteredModel,
+    film: Option<&Film>,
+    values: &Values<f32>,
+    given: &[bool],
+    varying: &[VaryingRange],
+) -> Result<(), Error> {
+    let Some(param) = entry.info.film_thickness_spread else {
+        return Ok(());
+    };
+    let (model, name) = (entry.name(), entry.info.params[param].name());
+    let range = varying.iter().find(|range| range.param == param);
+    if !given[param] && range.is_none() {
+        return Ok(());
+    }
+    let Some(film) = film.filter(|film| film.varying_thickness_nm().is_some()) else {
+        let reason = film.map_or("it uses no film", |_| "no layer of its film varies");
+        return Err(Error::invalid(format!(
+            "model '{model}' takes no '{name}' here: {reason}"
+        )));
+    };
+    let own = if given[param] {
+        values.number(param)
+    } else {
+        0.0
+    };
+    let greatest = range.map_or(own, |range| range.max.max(own));
+    let most = film.thickness_spread_max_nm();
+    if greatest > most {
+        return Err(Error::out_of_range(format!(
+            "parameter '{name}' = {greatest} of model '{model}' is outside [0, {most}]: thickness_spread_max_nm in the \
+             film's description is its greatest value"
+        )));
+    }
+    Ok(())
 }
 
 /// For a model that takes a film only under one choice: the parts of the messages for a film that is

@@ -56,6 +56,8 @@ pub struct ModelInfo {
     /// For a model that takes a film: the index of the parameter that is the thickness of the film's
     /// varying layer.
     pub film_thickness: Option<usize>,
+    /// For a model that takes a film: the index of the parameter that is the standard deviation of that thickness.
+    pub film_thickness_spread: Option<usize>,
     /// For a model that takes a film only under one choice: that choice.
     pub film_choice: Option<Choice>,
     /// When and why value(wo, wi) wo.z differs from value(wi, wo) wi.z; `None` if it never does.
@@ -73,6 +75,7 @@ impl ModelInfo {
         params: &[],
         lobes: &[],
         film_thickness: None,
+        film_thickness_spread: None,
         film_choice: None,
         not_reciprocal: None,
         not_conserving: None,

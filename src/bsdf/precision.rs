@@ -26,6 +26,15 @@ pub trait Precision: Lane<Mask = bool, Scalar = Self> + PartialOrd + Default + I
     #[doc(hidden)]
     fn reflectance<L: Lane<Scalar = Self>>(film: &Film, cos_theta: L, thickness_nm: L) -> Rgb<L>;
 
+    /// [`Film::reflectance_spread`] in each lane, for deviations that creation has accepted.
+    #[doc(hidden)]
+    fn reflectance_spread<L: Lane<Scalar = Self>>(
+        film: &Film,
+        cos_theta: L,
+        thickness_nm: L,
+        spread_nm: L,
+    ) -> Rgb<L>;
+
     /// Calls the compiler of this precision.
     #[doc(hidden)]
     fn prepare(
@@ -53,6 +62,19 @@ impl Precision for f32 {
         L::outlined(
             #[inline(always)]
             || film.reflectance_lanes(cos_theta, thickness_nm),
+        )
+    }
+
+    #[inline(always)]
+    fn reflectance_spread<L: Lane<Scalar = f32>>(
+        film: &Film,
+        cos_theta: L,
+        thickness_nm: L,
+        spread_nm: L,
+    ) -> Rgb<L> {
+        L::outlined(
+            #[inline(always)]
+            || film.spread_lanes(cos_theta, thickness_nm, spread_nm),
         )
     }
 
@@ -84,6 +106,22 @@ impl Precision for f64 {
             numbers[0] as f32
         };
         film.reflectance(single(cos_theta), single(thickness_nm))
+            .map(|channel| L::new(f64::from(channel)))
+    }
+
+    #[inline(always)]
+    fn reflectance_spread<L: Lane<Scalar = f64>>(
+        film: &Film,
+        cos_theta: L,
+        thickness_nm: L,
+        spread_nm: L,
+    ) -> Rgb<L> {
+        let [c, d, spread_nm] = [cos_theta, thickness_nm, spread_nm].map(|number| {
+            let mut numbers = [0.0; 1];
+            number.store(&mut numbers);
+            numbers[0] as f32
+        });
+        film.spread_or_plain(c, d, spread_nm)
             .map(|channel| L::new(f64::from(channel)))
     }
 

@@ -109,6 +109,7 @@ pub unsafe extern "C" fn pellicle_film_reflectance_batch(
                 cos_theta: args.cos_theta.into(),
                 thickness_nm: args.thickness_nm.into(),
                 reflectance: args.reflectance.into(),
+                thickness_spread_nm: args.thickness_spread_nm.into(),
             };
             batch::film_reflectance(&handle.film, &args, handle.level)
         }

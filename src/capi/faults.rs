@@ -219,6 +219,15 @@ fn calls() -> Vec<(&'static str, Call)> {
             let [one, other] = [0, 3].map(|at| out.numbers.as_mut_ptr().add(at));
             pellicle_film_eval(handles.film, 0.5, 0.0, PELLICLE_SIDE_BASE, one, other)
         }),
+        ("pellicle_film_reflectance_spread", |handles, out| unsafe {
+            let rgb = out.numbers.as_mut_ptr();
+            pellicle_film_reflectance_spread(handles.film, 0.5, 0.0, 0.0, rgb)
+        }),
+        ("pellicle_film_eval_spread", |handles, out| unsafe {
+            let [one, other] = [0, 3].map(|at| out.numbers.as_mut_ptr().add(at));
+            let (film, side) = (handles.film, PELLICLE_SIDE_BASE);
+            pellicle_film_eval_spread(film, 0.5, 0.0, 0.0, side, one, other)
+        }),
         ("pellicle_film_reflectance_batch", |handles, out| unsafe {
             let mut args: PellicleFilmBatchArgs = std::mem::zeroed();
             args.count = 5;

@@ -142,6 +142,7 @@ pub unsafe extern "C" fn pellicle_film_info(
                 base_opaque: u32::from(film.description().is_base_opaque()),
                 lambda_min_nm,
                 lambda_max_nm,
+                thickness_spread_max_nm: film.thickness_spread_max_nm(),
                 base_attenuation_per_mm: film.base_attenuation_per_mm().map(|x| x as f32),
             };
             write_growing(info, info_size, &filled);

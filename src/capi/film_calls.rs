@@ -94,6 +94,74 @@ pub unsafe extern "C" fn pellicle_film_eval(
     )
 }
 
+/// pellicle_film_reflectance(), averaged over a spread of thickness: that of a pixel, or of a real layer.
+///
+/// `thickness_spread_nm`: the standard deviation of a normal distribution around `thickness_nm`, which is cut to the
+/// range of the layer that varies and renormalised; the mean of the distribution is then not `thickness_nm`. 0: the
+/// bits of pellicle_film_reflectance(). Negative, NaN or infinite: OUT_OF_RANGE. Above
+/// PellicleFilmDesc::thickness_spread_max_nm: clamped to it; positive where that is 0 or no layer varies:
+/// INVALID_ARGUMENT. Colours are averaged before they are clipped. The others as in pellicle_film_reflectance().
+/// Spectra and amplitudes know no spread: average pellicle_film_spectrum() over thicknesses of your own.
+///
+/// # Safety
+/// As for pellicle_film_reflectance().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_film_reflectance_spread(
+    film: *const PellicleFilm,
+    cos_theta: f32,
+    thickness_nm: f32,
+    thickness_spread_nm: f32,
+    rgb: *mut f32,
+) -> PellicleStatus {
+    // SAFETY: NULL or a live handle, as the caller vouches.
+    guard_call(unsafe { traps(film) }, move || {
+        require(rgb, "rgb")?;
+        // SAFETY: the caller vouches for the handle and for 3 numbers.
+        unsafe {
+            let film = &handle(film)?.film;
+            let found = film.reflectance_spread(cos_theta, thickness_nm, thickness_spread_nm)?;
+            write(rgb, found);
+        }
+        Ok(())
+    })
+}
+
+/// pellicle_film_eval(), averaged over a spread of thickness as in pellicle_film_reflectance_spread(). The averages of
+/// a film that does not absorb sum to 1 where its colours do.
+///
+/// # Safety
+/// As for pellicle_film_eval().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pellicle_film_eval_spread(
+    film: *const PellicleFilm,
+    cos_theta: f32,
+    thickness_nm: f32,
+    thickness_spread_nm: f32,
+    side: u32,
+    reflectance: *mut f32,
+    transmittance: *mut f32,
+) -> PellicleStatus {
+    // SAFETY: NULL or a live handle, as the caller vouches.
+    guard_call(unsafe { traps(film) }, move || {
+        if transmittance.is_null() {
+            require(reflectance, "reflectance (and transmittance)")?;
+        }
+        // SAFETY: the caller vouches for the handle and for 3 numbers each.
+        unsafe {
+            let film = &handle(film)?.film;
+            let side = known_side(side)?;
+            let colors = film.colors_spread(side, cos_theta, thickness_nm, thickness_spread_nm)?;
+            if !reflectance.is_null() {
+                write(reflectance, colors.reflectance);
+            }
+            if !transmittance.is_null() {
+                write(transmittance, colors.transmittance);
+            }
+        }
+        Ok(())
+    })
+}
+
 /// What pellicle_film_reflectance() approximates: the reflectance by full wave optics, converged and
 /// never clipped. Slow (25 microseconds and up); it allocates. Call it to check, not to shade.
 ///

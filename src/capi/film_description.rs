@@ -43,6 +43,7 @@ pub(super) unsafe fn film_description(desc: &PellicleFilmDesc) -> Result<FilmDes
         description.unclipped = switch(desc.unclipped, "unclipped")?;
         description.transmittance = switch(desc.transmittance, "transmittance")?;
         description.extrapolate = switch(desc.extrapolate, "extrapolate")?;
+        description.thickness_spread_max_nm = f64::from(desc.thickness_spread_max_nm);
         description.base_opacity = base_opacity(desc.base_opaque)?;
         Ok(description)
     }

@@ -85,6 +85,10 @@ pub struct PellicleFilmDesc {
     /// are taken to be constant; 0: it refuses that. A named medium has the range of its data (PellicleMediumInfo), a
     /// table that of its entries, a constant given by `eta` and `k` all wavelengths, and one that disperses 380-780 nm.
     pub extrapolate: u32,
+    /// The greatest standard deviation of the thickness that varies which calls may give, nm, within [0, 1e8];
+    /// 0: calls give none. Tables of averages are made for it, with up to twice the bytes of the film's own. No layer
+    /// that varies: INVALID_ARGUMENT.
+    pub thickness_spread_max_nm: f32,
 }
 
 /// What a film is. It grows by appending; pass sizeof(PellicleFilmInfo).
@@ -111,6 +115,8 @@ pub struct PellicleFilmInfo {
     pub lambda_min_nm: f32,
     /// The greatest wavelength that all media are known for, nm; infinite if all are constant.
     pub lambda_max_nm: f32,
+    /// The greatest standard deviation of the thickness that calls may give, nm; 0: they may give none.
+    pub thickness_spread_max_nm: f32,
 }
 
 /// How a film is evaluated, and how well. It grows by appending; pass sizeof(PellicleFilmPlan).
@@ -174,6 +180,9 @@ pub struct PellicleFilmBatchArgs {
     pub thickness_nm: PellicleConstView,
     /// Receives the reflectance, 3 components.
     pub reflectance: PellicleView,
+    /// Standard deviations of the thickness, nm, 1 component, as in pellicle_film_reflectance_spread(); data NULL: 0.
+    /// One that single calls refuse is refused whichever element it belongs to, and nothing is written.
+    pub thickness_spread_nm: PellicleConstView,
 }
 
 /// Complex ratios of the electric fields of reflected and transmitted light to that of the incident light:

@@ -68,6 +68,9 @@ pub struct FilmDescription {
     /// Answer at single wavelengths outside the ranges of the media ([`Medium::range_nm`]) too, where their indices
     /// are taken to be constant. Colours always are those of 380-780 nm.
     pub extrapolate: bool,
+    /// The greatest standard deviation of the thickness that varies which calls may give, nm, in \[0,
+    /// [`MAX_THICKNESS_NM`]\]; 0 if none. Tables of averages are made for it: up to twice the bytes of the film's own.
+    pub thickness_spread_max_nm: f64,
 }
 
 impl FilmDescription {
@@ -85,6 +88,7 @@ impl FilmDescription {
             transmittance: false,
             base_opacity: BaseOpacity::ByExtinction,
             extrapolate: false,
+            thickness_spread_max_nm: 0.0,
         }
     }
 
@@ -201,12 +205,28 @@ impl FilmDescription {
             )));
         }
         self.check_tables()?;
+        self.check_spread()?;
         // C callers give the tolerance in single precision.
         let least = LEAST_TOLERANCE * (1.0 - 1e-6);
         if !(least..=1.0).contains(&self.tolerance) {
             return Err(Error::out_of_range(format!(
                 "tolerance = {} is outside [{LEAST_TOLERANCE}, 1]",
                 self.tolerance
+            )));
+        }
+        Ok(())
+    }
+
+    fn check_spread(&self) -> Result<(), Error> {
+        let most = self.thickness_spread_max_nm;
+        if !(0.0..=MAX_THICKNESS_NM).contains(&most) {
+            return Err(Error::out_of_range(format!(
+                "thickness_spread_max_nm = {most} is outside [0, {MAX_THICKNESS_NM}]"
+            )));
+        }
+        if most > 0.0 && self.varying().is_none() {
+            return Err(Error::invalid(format!(
+                "thickness_spread_max_nm = {most}, but no layer's thickness varies"
             )));
         }
         Ok(())

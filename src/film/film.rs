@@ -203,7 +203,7 @@ impl Film {
         match &self.evaluator {
             Evaluator::Tables(tables) => tables.colors(side, cos_theta, thickness_nm),
             Evaluator::Series(series) => series.at(side, c, d).to_f32(),
-            Evaluator::Method(_) | Evaluator::Reference => self.converged(side, c, d),
+            Evaluator::Method(_) | Evaluator::Reference => self.converged(side, c, d).to_f32(),
         }
     }
 
@@ -288,9 +288,14 @@ impl Film {
 
     /// The unclipped colours by the reference.
     #[inline(never)]
-    fn converged(&self, side: Side, cos_theta: f64, thickness_nm: f64) -> Colors {
+    pub(super) fn converged(&self, side: Side, cos_theta: f64, thickness_nm: f64) -> Colors<f64> {
         let thicknesses = self.description.thicknesses(thickness_nm);
-        Colors::from(self.reference.evaluate(side, cos_theta, &thicknesses)).to_f32()
+        Colors::from(self.reference.evaluate(side, cos_theta, &thicknesses))
+    }
+
+    /// The compiled form.
+    pub(super) fn evaluator(&self) -> &Evaluator {
+        &self.evaluator
     }
 }
 

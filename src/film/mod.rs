@@ -19,6 +19,7 @@ mod method;
 mod plan;
 mod saving;
 mod spectra;
+mod spread;
 mod table;
 mod tabulated;
 mod tile;

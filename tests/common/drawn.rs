@@ -83,7 +83,8 @@ impl Drawn {
         let params = entry.info.params.iter().enumerate();
         let mut numbers: Vec<Vec<f32>> = params
             .map(|(index, param)| {
-                if entry.info.film_thickness == Some(index) || !param.is_used(|p| choices[p]) {
+                let of_film = [entry.info.film_thickness, entry.info.film_thickness_spread];
+                if of_film.contains(&Some(index)) || !param.is_used(|p| choices[p]) {
                     vec![]
                 } else {
                     draw_numbers(&param.kind, rng)
@@ -100,6 +101,11 @@ impl Drawn {
             if let Some([min, max]) = used.varying_thickness_nm() {
                 let thickness = entry.info.film_thickness.unwrap();
                 numbers[thickness] = vec![number(rng, min as f32, max as f32)];
+                let spread = entry.info.film_thickness_spread.unwrap();
+                let most = used.thickness_spread_max_nm();
+                if most > 0.0 {
+                    numbers[spread] = vec![number(rng, 0.0, most)];
+                }
             }
             film = Some(used);
         }
@@ -178,6 +184,9 @@ impl Drawn {
         let [least, greatest] = match info.kind {
             _ if !info.can_vary || own.is_empty() => return None,
             _ if self.entry.info.film_thickness == Some(param) => film_range?.map(|nm| nm as f32),
+            _ if self.entry.info.film_thickness_spread == Some(param) => {
+                [0.0, self.film.as_ref()?.thickness_spread_max_nm()]
+            }
             ParamKind::Number { min, max, .. } => [min, max],
             _ => return refusal([0.0; 2]).is_none().then_some([0.0; 2]),
         };

@@ -109,12 +109,20 @@ impl Kind {
     pub fn description(self) -> FilmDescription {
         match self {
             Self::Lens => {
-                two_sided(bare(constant(1.5, 0.0))).layer(constant(1.38, 0.0), [0.0, 600.0])
+                let lens = two_sided(bare(constant(1.5, 0.0)));
+                FilmDescription {
+                    thickness_spread_max_nm: 300.0,
+                    ..lens.layer(constant(1.38, 0.0), [0.0, 600.0])
+                }
             }
             Self::Metal => two_sided(bare(medium("Au"))).layer(constant(1.38, 0.0), [300.0; 2]),
-            Self::Bubble => two_sided(bare(Medium::vacuum())).layer(medium("water"), [50.0, 900.0]),
+            Self::Bubble => FilmDescription {
+                thickness_spread_max_nm: 200.0,
+                ..two_sided(bare(Medium::vacuum())).layer(medium("water"), [50.0, 900.0])
+            },
             Self::Sunglasses => FilmDescription {
                 ambient: medium("air"),
+                thickness_spread_max_nm: 100.0,
                 ..two_sided(bare(medium("BK7")))
             }
             .layer(medium("TiO2"), [100.0, 300.0])

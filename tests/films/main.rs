@@ -19,4 +19,5 @@ mod plan_refusals;
 mod precision;
 mod saving;
 mod sides;
+mod spread;
 mod table_limit;

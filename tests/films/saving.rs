@@ -50,6 +50,13 @@ fn descriptions() -> Vec<(&'static str, FilmDescription)> {
             "dispersing, both sides",
             two_sided(bare(medium("BK7"))).layer(medium("MgF2"), [0.0, 300.0]),
         ),
+        (
+            "with a spread",
+            FilmDescription {
+                thickness_spread_max_nm: 60.0,
+                ..bare(constant(1.5, 0.02)).layer(constant(1.38, 0.0), [80.0, 240.0])
+            },
+        ),
         ("within a prism", Kind::Prism.description()),
         ("sunglasses", Kind::Sunglasses.description()),
         (
@@ -132,6 +139,11 @@ fn bits(film: &Film, count: usize, slow: usize) -> Vec<u64> {
     for _ in 0..if is_slow { slow } else { count } {
         let (c, d) = inputs(film, rng);
         add(&film.reflectance(c, d).map(f64::from));
+        let spread = film.thickness_spread_max_nm() * rng.random::<f32>();
+        add(&film
+            .reflectance_spread(c, d, spread)
+            .unwrap()
+            .map(f64::from));
         for side in [Side::Ambient, Side::Base] {
             if let Ok(colors) = film.colors(side, c, d) {
                 add(&colors.reflectance.map(f64::from));

@@ -43,6 +43,7 @@ fn a_table_near_the_limit_holds_its_tolerance_up_to_its_edges() {
         component_stride: 4,
     };
     let args = FilmArgs {
+        thickness_spread_nm: ConstView::NONE,
         count: inputs.len(),
         cos_theta: view(0),
         thickness_nm: view(1),

@@ -26,7 +26,8 @@ fn range(param: &ParamInfo) -> (String, String) {
 fn used_with(info: &ModelInfo, index: usize) -> String {
     let with_film = info.film_choice.as_slice();
     let film_cases = [with_film];
-    let cases = if info.film_thickness == Some(index) && !with_film.is_empty() {
+    let of_film = [info.film_thickness, info.film_thickness_spread].contains(&Some(index));
+    let cases = if of_film && !with_film.is_empty() {
         &film_cases
     } else {
         info.params[index].used_with

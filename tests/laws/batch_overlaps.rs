@@ -123,6 +123,7 @@ fn other_overlaps_are_safe() {
             component_stride: 4,
         };
         let args = FilmArgs {
+            thickness_spread_nm: ConstView::NONE,
             count: COUNT,
             cos_theta: plane(data),
             thickness_nm: plane(data.wrapping_add(COUNT)),

@@ -8,7 +8,7 @@ use crate::common::films::{bare, constant};
 use crate::common::rng;
 use crate::strided::{Array, BROADCAST, LAYOUTS, Layout};
 use pellicle::Bsdf;
-use pellicle::batch::{FilmArgs, SampleArgs, eval, film_reflectance, sample};
+use pellicle::batch::{ConstView, FilmArgs, SampleArgs, eval, film_reflectance, sample};
 use pellicle::film::{Film, FilmDescription};
 use pellicle::num::Level;
 use rand::RngExt;
@@ -135,6 +135,7 @@ fn check_film(film: &Film, count: usize, input: Layout, output: Layout) {
     for level in Level::all() {
         let mut reflectance = Array::new(output, count, 3);
         let args = FilmArgs {
+            thickness_spread_nm: ConstView::NONE,
             count,
             cos_theta: cos_theta.const_view(),
             thickness_nm: thickness_nm.const_view(),

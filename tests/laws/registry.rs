@@ -347,6 +347,15 @@ fn registry_fits_the_interface() {
             assert_eq!((param.name(), param.unit), ("thickness_nm", "nm"));
             assert!(param.can_vary && param.components() == 1);
         }
+        assert_eq!(
+            entry.info.film_thickness.is_some(),
+            entry.info.film_thickness_spread.is_some()
+        );
+        if let Some(spread) = entry.info.film_thickness_spread {
+            let param = &entry.info.params[spread];
+            assert_eq!((param.name(), param.unit), ("thickness_spread_nm", "nm"));
+            assert!(param.can_vary && param.components() == 1);
+        }
         for param in entry.info.params {
             if let ParamKind::Choice { choices } = &param.kind {
                 assert!(

@@ -21,6 +21,9 @@
 //! layer. If a layer varies, it must be set or declared varying; if none does, it must not. A varying
 //! thickness without a value of its own has the least value of its range as default.
 //!
+//! **Spread**: `thickness_spread_nm` is the standard deviation of that thickness within a pixel or a real layer. R and
+//! T are averages over a normal distribution cut to the layer's range ([`Film::colors_spread`]).
+//!
 //! **Energy**: T is clipped to \[0, 1\] and R to \[0, 1 - T\], for unclipped films too. Power is conserved
 //! at every wavelength but not in every channel, because the weights of the channels have negative parts:
 //! the red of R and of T may each be below 1 and their sum above. R is the one that is reduced, because T
@@ -48,6 +51,7 @@ use std::sync::Arc;
 pub struct ThinFilm;
 
 const THICKNESS_NM: usize = 0;
+const THICKNESS_SPREAD_NM: usize = 1;
 
 const REFLECTION_LOBE: usize = 0;
 const TRANSMISSION_LOBE: usize = 1;
@@ -57,7 +61,10 @@ impl Model for ThinFilm {
         name: "film",
         summary: "Needs a film: a smooth surface coated with it, which reflects and, if the film keeps its transmittance and its base is not opaque, transmits.",
         source: "Abeles 1950 and Macleod, Thin-Film Optical Filters, chapter 2; directions by Snell's law",
-        params: &[ParamInfo::number("thickness_nm", "Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit("nm")],
+        params: &[
+            ParamInfo::number("thickness_nm", "Thickness of the film's layer that varies, within its range: needed if one varies, refused if none does.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit("nm"),
+            ParamInfo::number("thickness_spread_nm", "Standard deviation of that thickness within a pixel or a real layer: colours are averaged over a normal distribution cut to the layer's range. At most the thickness_spread_max_nm of the film, refused if no layer varies.", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit("nm"),
+        ],
         lobes: &[
             LobeInfo {
                 name: "reflection",
@@ -69,6 +76,7 @@ impl Model for ThinFilm {
             },
         ],
         film_thickness: Some(THICKNESS_NM),
+        film_thickness_spread: Some(THICKNESS_SPREAD_NM),
         ..ModelInfo::PLAIN
     };
 
@@ -82,6 +90,7 @@ impl Model for ThinFilm {
         Ok(Box::new(SmoothFilm {
             film: Arc::clone(film),
             thickness_nm: values.number(THICKNESS_NM),
+            spread_nm: values.number(THICKNESS_SPREAD_NM),
             refraction: transmits(film).then(|| Refraction::through(film)),
         }))
     }
@@ -139,6 +148,8 @@ impl<T: Precision> Refraction<T> {
 pub struct SmoothFilm<T> {
     film: Arc<Film>,
     thickness_nm: T,
+    /// The standard deviation of the thickness.
+    spread_nm: T,
     /// `None` if nothing is transmitted.
     refraction: Option<Refraction<T>>,
 }
@@ -156,18 +167,32 @@ struct Split<T> {
 impl<T: Precision> SmoothFilm<T> {
     #[inline(always)]
     fn split(&self, overrides: &[(usize, [T; 3])], wo: Vec3<T>) -> Split<T> {
-        // The thickness is the only parameter that may vary.
-        let thickness = overrides
-            .first()
-            .map_or(self.thickness_nm, |(_, value)| value[0]);
-        let (cos_theta, thickness) = (wo.z.abs().to_f32(), thickness.to_f32());
+        let number = |param: usize, own: T| {
+            let varied = overrides.iter().find(|(varied, _)| *varied == param);
+            varied.map_or(own, |(_, value)| value[0]).to_f32()
+        };
+        let thickness = number(THICKNESS_NM, self.thickness_nm);
+        let spread = number(THICKNESS_SPREAD_NM, self.spread_nm);
+        let cos_theta = wo.z.abs().to_f32();
         let Some(refraction) = &self.refraction else {
-            let reflectance = self.film.reflectance(cos_theta, thickness);
+            let reflectance = if spread == 0.0 {
+                self.film.reflectance(cos_theta, thickness)
+            } else {
+                self.film.spread_or_plain(cos_theta, thickness, spread)
+            };
             return Split::new(reflectance, [0.0; 3], None);
         };
         let behind = refraction.behind(wo);
-        // `colors` cannot fail, because there is a refraction only if the film keeps its transmittance.
-        let from = |side, cos| self.film.colors(side, cos, thickness).unwrap_or_default();
+        // They cannot fail, because there is a refraction only if the film keeps its transmittance, and creation
+        // refuses a spread that the film has no averages for.
+        let from = |side, cos| {
+            let colors = if spread == 0.0 {
+                self.film.colors(side, cos, thickness)
+            } else {
+                self.film.colors_spread(side, cos, thickness, spread)
+            };
+            colors.unwrap_or_default()
+        };
         if wo.z > T::new(0.0) {
             let colors = from(Side::Ambient, cos_theta);
             let transmittance = behind.map_or([0.0; 3], |_| colors.transmittance);

@@ -37,6 +37,7 @@ impl FilmDescription {
             transmittance,
             base_opacity,
             extrapolate,
+            thickness_spread_max_nm,
         } = self;
         ambient.save(block);
         base.save(block);
@@ -62,6 +63,7 @@ impl FilmDescription {
         block.flag(*transmittance);
         block.byte(number_of(&OPACITIES, |other| other == base_opacity));
         block.flag(*extrapolate);
+        block.numbers(&[*thickness_spread_max_nm]);
     }
 
     /// Reads a description and checks it.
@@ -91,6 +93,7 @@ impl FilmDescription {
             transmittance: block.flag()?,
             base_opacity: block.choice(&OPACITIES)?,
             extrapolate: block.flag()?,
+            thickness_spread_max_nm: block.number()?,
         };
         loaded.check()?;
         Ok(loaded)

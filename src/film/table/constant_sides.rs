@@ -2,7 +2,8 @@
 
 use super::critical::{MIDDLE_NM, centres};
 use super::errors::Errors;
-use super::film_table::{FilmTable, Over};
+use super::film_table::Over;
+use super::levelled::{LevelledTable, Thickness};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};
@@ -27,16 +28,16 @@ const BOTH: [Side; 2] = [Side::Ambient, Side::Base];
 #[derive(Clone, Debug)]
 pub(in crate::film) struct ConstantSides {
     /// The reflectance from the ambient's side.
-    front: FilmTable,
+    front: LevelledTable,
     /// The square of the ratio of the denser index and the rarer one.
     ratio: f64,
     rarer: Side,
     /// The transmittance; `None`: 1 - reflectance, as nothing absorbs.
-    through: Option<Box<FilmTable>>,
+    through: Option<Box<LevelledTable>>,
     /// The reflectance from the base's side; `None`: as `front`.
-    back: Option<Box<FilmTable>>,
+    back: Option<Box<LevelledTable>>,
     /// The reflectance beyond the critical angle; `None`: 1.
-    beyond: Option<Box<FilmTable>>,
+    beyond: Option<Box<LevelledTable>>,
 }
 
 /// The zone of a direction.
@@ -69,7 +70,7 @@ impl ConstantSides {
         let mut errors = [Errors::default(); 2];
         let below = || Over::Cosine(rare_index, centres(description, rare_medium, None));
         let mut fitted = |source: &mut ColorSource<'_>, over: Over, sides: &[Side]| {
-            let fitted = FilmTable::fit(description, source, over, limits)?;
+            let fitted = LevelledTable::fit(description, source, over, limits)?;
             if let Some((_, found)) = &fitted {
                 for side in sides {
                     errors[*side as usize].merge(found);
@@ -165,7 +166,7 @@ impl ConstantSides {
         } = self;
         front.save(block);
         for table in [through, back, beyond] {
-            FilmTable::save_optional(table.as_deref(), block);
+            LevelledTable::save_optional(table.as_deref(), block);
         }
     }
 
@@ -176,12 +177,12 @@ impl ConstantSides {
     ) -> Result<Self, Error> {
         let (rarer, ratio) = rarer_side(description);
         Ok(Self {
-            front: FilmTable::load(block, description)?,
+            front: LevelledTable::load(block, description)?,
             ratio,
             rarer,
-            through: FilmTable::load_optional(block, description)?,
-            back: FilmTable::load_optional(block, description)?,
-            beyond: FilmTable::load_optional(block, description)?,
+            through: LevelledTable::load_optional(block, description)?,
+            back: LevelledTable::load_optional(block, description)?,
+            beyond: LevelledTable::load_optional(block, description)?,
         })
     }
 
@@ -195,7 +196,7 @@ impl ConstantSides {
         }
     }
 
-    fn others(&self) -> impl Iterator<Item = &FilmTable> {
+    fn others(&self) -> impl Iterator<Item = &LevelledTable> {
         let others = [&self.through, &self.back, &self.beyond];
         others.into_iter().flatten().map(Box::as_ref)
     }
@@ -216,7 +217,7 @@ impl ConstantSides {
 
     /// Bytes of all tables.
     pub(super) fn bytes(&self) -> usize {
-        self.front.bytes() + self.others().map(FilmTable::bytes).sum::<usize>()
+        self.front.bytes() + self.others().map(LevelledTable::bytes).sum::<usize>()
     }
 
     /// The number of values and where they are, in words.
@@ -244,30 +245,30 @@ impl ConstantSides {
     }
 
     /// Reflectance from the ambient's side, not clipped.
-    pub(super) fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+    pub(super) fn reflectance<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Rgb<f32> {
         match self.zone(Side::Ambient, cos_theta) {
-            Zone::Below(c) => self.front.at(c, thickness_nm),
-            Zone::Beyond(t) => self.reflectance_beyond(t, thickness_nm),
+            Zone::Below(c) => thickness.color(&self.front, c),
+            Zone::Beyond(t) => self.reflectance_beyond(t, thickness),
         }
     }
 
     /// Reflectance and transmittance from either side, not clipped; of a film fitted with transmittance.
-    pub(super) fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+    pub(super) fn colors<T: Thickness>(&self, side: Side, cos_theta: f32, thickness: T) -> Colors {
         let c = match self.zone(side, cos_theta) {
             Zone::Below(c) => c,
             Zone::Beyond(t) => {
                 return Colors {
-                    reflectance: self.reflectance_beyond(t, thickness_nm),
+                    reflectance: self.reflectance_beyond(t, thickness),
                     transmittance: [0.0; 3],
                 };
             }
         };
         let reflectance = match (&self.back, side) {
-            (Some(table), Side::Base) => table.at(c, thickness_nm),
-            _ => self.front.at(c, thickness_nm),
+            (Some(table), Side::Base) => thickness.color(table, c),
+            _ => thickness.color(&self.front, c),
         };
         let transmittance = match &self.through {
-            Some(table) => table.at(c, thickness_nm),
+            Some(table) => thickness.color(table, c),
             None => reflectance.map(|r| 1.0 - r),
         };
         Colors {
@@ -276,9 +277,9 @@ impl ConstantSides {
         }
     }
 
-    fn reflectance_beyond(&self, t: f64, thickness_nm: f32) -> Rgb<f32> {
+    fn reflectance_beyond<T: Thickness>(&self, t: f64, thickness: T) -> Rgb<f32> {
         let table = self.beyond.as_ref();
-        table.map_or([1.0; 3], |table| table.at(t, thickness_nm))
+        table.map_or([1.0; 3], |table| thickness.color(table, t))
     }
 }
 

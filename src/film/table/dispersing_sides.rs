@@ -2,7 +2,8 @@
 
 use super::critical::{MIDDLE_NM, centres};
 use super::errors::Errors;
-use super::film_table::{FilmTable, Over};
+use super::film_table::Over;
+use super::levelled::{LevelledTable, Thickness};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};
@@ -26,9 +27,9 @@ pub(in crate::film) struct DispersingSides {
 /// The tables of one side.
 #[derive(Clone, Debug)]
 struct OneSide {
-    reflectance: FilmTable,
+    reflectance: LevelledTable,
     /// `None`: 1 - reflectance, as nothing absorbs.
-    transmittance: Option<Box<FilmTable>>,
+    transmittance: Option<Box<LevelledTable>>,
 }
 
 impl DispersingSides {
@@ -87,7 +88,7 @@ impl DispersingSides {
         self.front.reflectance.over_cosine()
     }
 
-    fn tables(&self) -> impl Iterator<Item = &FilmTable> {
+    fn tables(&self) -> impl Iterator<Item = &LevelledTable> {
         let sides = std::iter::once(&self.front).chain(self.back.as_deref());
         sides.flat_map(|side| {
             std::iter::once(&side.reflectance).chain(side.transmittance.as_deref())
@@ -103,24 +104,22 @@ impl DispersingSides {
     }
 
     pub(super) fn bytes(&self) -> usize {
-        self.tables().map(FilmTable::bytes).sum()
+        self.tables().map(LevelledTable::bytes).sum()
     }
 
     pub(super) fn size(&self) -> String {
-        let sizes: Vec<String> = self.tables().map(FilmTable::size).collect();
+        let sizes: Vec<String> = self.tables().map(LevelledTable::size).collect();
         sizes.join("; ")
     }
 
-    pub(super) fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
-        self.front
-            .reflectance
-            .at(f64::from(cos_theta), thickness_nm)
+    pub(super) fn reflectance<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Rgb<f32> {
+        thickness.color(&self.front.reflectance, f64::from(cos_theta))
     }
 
-    pub(super) fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+    pub(super) fn colors<T: Thickness>(&self, side: Side, cos_theta: f32, thickness: T) -> Colors {
         match (side, &self.back) {
-            (Side::Ambient, _) => self.front.colors(cos_theta, thickness_nm),
-            (Side::Base, Some(back)) => back.colors(cos_theta, thickness_nm),
+            (Side::Ambient, _) => self.front.colors(cos_theta, thickness),
+            (Side::Base, Some(back)) => back.colors(cos_theta, thickness),
             (Side::Base, None) => Colors::default(),
         }
     }
@@ -141,7 +140,7 @@ impl OneSide {
             let far = (!is_opaque).then_some(far);
             let centres = centres(description, near, far);
             let over = Over::Cosine(near.index(MIDDLE_NM).re, centres);
-            let fitted = FilmTable::fit(description, source, over, limits)?;
+            let fitted = LevelledTable::fit(description, source, over, limits)?;
             Ok::<_, Error>(fitted.map(|(table, found)| {
                 errors.merge(&found);
                 table
@@ -179,21 +178,21 @@ impl OneSide {
             transmittance,
         } = self;
         reflectance.save(block);
-        FilmTable::save_optional(transmittance.as_deref(), block);
+        LevelledTable::save_optional(transmittance.as_deref(), block);
     }
 
     fn load(block: &mut ByteReader<'_>, description: &FilmDescription) -> Result<Self, Error> {
         Ok(Self {
-            reflectance: FilmTable::load(block, description)?,
-            transmittance: FilmTable::load_optional(block, description)?,
+            reflectance: LevelledTable::load(block, description)?,
+            transmittance: LevelledTable::load_optional(block, description)?,
         })
     }
 
-    fn colors(&self, cos_theta: f32, thickness_nm: f32) -> Colors {
+    fn colors<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Colors {
         let c = f64::from(cos_theta);
-        let reflectance = self.reflectance.at(c, thickness_nm);
+        let reflectance = thickness.color(&self.reflectance, c);
         let transmittance = match &self.transmittance {
-            Some(table) => table.at(c, thickness_nm),
+            Some(table) => thickness.color(table, c),
             None => reflectance.map(|r| 1.0 - r),
         };
         Colors {

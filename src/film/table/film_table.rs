@@ -60,6 +60,7 @@ const WARPED: u8 = 1;
 const PATCHES: u8 = 2;
 
 /// What a table is over, besides the thickness.
+#[derive(Clone)]
 pub(super) enum Over {
     /// The cosine in a medium of this index, with critical angles.
     Cosine(f64, Vec<Centre>),
@@ -175,25 +176,6 @@ impl FilmTable {
             Shape::Patches(Patches::load(block)?)
         };
         Ok(Self::Warped(Box::new(Warped { axis, range, shape })))
-    }
-
-    /// Writes a table that may be missing.
-    pub fn save_optional(table: Option<&Self>, block: &mut ByteWriter) {
-        block.flag(table.is_some());
-        if let Some(table) = table {
-            table.save(block);
-        }
-    }
-
-    /// Reads a table that may be missing.
-    pub fn load_optional(
-        block: &mut ByteReader<'_>,
-        description: &FilmDescription,
-    ) -> Result<Option<Box<Self>>, Error> {
-        if !block.flag()? {
-            return Ok(None);
-        }
-        Self::load(block, description).map(|table| Some(Box::new(table)))
     }
 
     /// Bytes of the control points.

@@ -8,6 +8,7 @@ mod dispersing_sides;
 pub(super) mod errors;
 mod film_table;
 pub(super) mod fit;
+pub(super) mod levelled;
 mod patches;
 mod series_sampler;
 pub(super) mod spline;

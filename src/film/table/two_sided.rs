@@ -3,6 +3,7 @@
 use super::constant_sides::ConstantSides;
 use super::dispersing_sides::DispersingSides;
 use super::errors::Errors;
+use super::levelled::Thickness;
 use super::spline::SplineTable;
 use super::task::FitLimits;
 use crate::error::Error;
@@ -93,18 +94,27 @@ impl TwoSidedTables {
     }
 
     /// Reflectance from the ambient's side, not clipped.
-    pub(in crate::film) fn reflectance(&self, cos_theta: f32, thickness_nm: f32) -> Rgb<f32> {
+    pub(in crate::film) fn reflectance<T: Thickness>(
+        &self,
+        cos_theta: f32,
+        thickness: T,
+    ) -> Rgb<f32> {
         match self {
-            Self::Constant(sides) => sides.reflectance(cos_theta, thickness_nm),
-            Self::Dispersing(sides) => sides.reflectance(cos_theta, thickness_nm),
+            Self::Constant(sides) => sides.reflectance(cos_theta, thickness),
+            Self::Dispersing(sides) => sides.reflectance(cos_theta, thickness),
         }
     }
 
     /// Reflectance and transmittance from either side, not clipped; of a film fitted with transmittance.
-    pub(in crate::film) fn colors(&self, side: Side, cos_theta: f32, thickness_nm: f32) -> Colors {
+    pub(in crate::film) fn colors<T: Thickness>(
+        &self,
+        side: Side,
+        cos_theta: f32,
+        thickness: T,
+    ) -> Colors {
         match self {
-            Self::Constant(sides) => sides.colors(side, cos_theta, thickness_nm),
-            Self::Dispersing(sides) => sides.colors(side, cos_theta, thickness_nm),
+            Self::Constant(sides) => sides.colors(side, cos_theta, thickness),
+            Self::Dispersing(sides) => sides.colors(side, cos_theta, thickness),
         }
     }
 }

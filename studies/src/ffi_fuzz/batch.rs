@@ -360,6 +360,12 @@ fn film(count: usize, bytes: &mut Bytes) {
         cos_theta: cosines.const_view(),
         thickness_nm: thicknesses.const_view(),
         reflectance: found.view(),
+        // These films allow no spread.
+        thickness_spread_nm: PellicleConstView {
+            data: null(),
+            element_stride: 0,
+            component_stride: 0,
+        },
     };
     // SAFETY: the film lives on; all views are of arrays of `count` elements.
     let status = unsafe { pellicle_film_reflectance_batch(film, &args, size_of_val(&args)) };

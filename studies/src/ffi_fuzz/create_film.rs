@@ -71,11 +71,16 @@ pub fn run(data: &[u8]) {
         transmittance: 0,
         base_opaque: 0,
         extrapolate: 0,
+        thickness_spread_max_nm: 0.0,
     };
     let switches = bytes.byte();
     desc.transmittance = u32::from(switches / 64);
     desc.base_opaque = u32::from(switches % 16 / 5);
     desc.extrapolate = u32::from(switches % 64 / 31);
+    // Levels of spread take long to make.
+    if bytes.byte() > 250 {
+        desc.thickness_spread_max_nm = bytes.number(0.0, 200.0);
+    }
     let mut handle = Output::<*mut PellicleFilm>::new();
     // SAFETY: all that the description names is alive; counts beyond the layers are refused.
     let status = unsafe { create(&desc, bytes, handle.pointer()) };

@@ -182,6 +182,7 @@ pub fn fill_reflectances(
         return Ok(());
     }
     let args = FilmArgs {
+        thickness_spread_nm: ConstView::NONE,
         count: points.len(),
         cos_theta: elements(points.as_flattened(), 2),
         thickness_nm: elements(&points.as_flattened()[1..], 2),

@@ -185,7 +185,8 @@ impl Drawn {
         for (index, param) in info.params.iter().enumerate() {
             let mut numbers = Vec::new();
             match param.kind {
-                _ if info.film_thickness == Some(index) || !param.is_used(|p| choices[p]) => {}
+                _ if [info.film_thickness, info.film_thickness_spread].contains(&Some(index))
+                    || !param.is_used(|p| choices[p]) => {}
                 ParamKind::Number { min, max, .. } => {
                     let is_equal = rng.random_bool(0.3);
                     let count = if is_equal { 1 } else { param.components() };

@@ -123,7 +123,17 @@ impl<T: Precision> Average<T> {
     fn of<L: Lane<Scalar = T>>(&self, fresnel: &Fresnel<'_, L>) -> Rgb<L> {
         match (self, fresnel) {
             (Self::Constant(mean), _) => each!(*mean, |channel| L::splat(channel)),
-            (Self::Film(table), Fresnel::Film { thickness_nm, .. }) => table.at(*thickness_nm),
+            (
+                Self::Film(table),
+                Fresnel::Film {
+                    thickness_nm,
+                    spread_nm,
+                    ..
+                },
+            ) => match spread_nm {
+                None => table.at(*thickness_nm),
+                Some(spread_nm) => table.averaged(*thickness_nm, *spread_nm),
+            },
             (_, Fresnel::Schlick { f0, f90, .. }) => {
                 L::channels(*f0 + (*f90 - *f0) * L::new(1.0 / 21.0).gray())
             }
@@ -157,6 +167,7 @@ const MOST_NODES: f64 = 4096.0;
 /// The mean reflectance at equally spaced thicknesses of the film's varying layer.
 pub(super) struct Thicknesses<T> {
     from: T,
+    to: T,
     per_nm: T,
     nodes: Box<[Rgb<T>]>,
 }
@@ -169,13 +180,42 @@ impl<T: Precision> Thicknesses<T> {
         let mut nodes = Error::reserve(count, "a film's mean reflectance")?;
         nodes.extend((0..count).map(|i| {
             let thickness_nm = T::new(from + (to - from) * i as f64 / pieces);
-            mean_reflectance(&Fresnel::Film { film, thickness_nm })
+            mean_reflectance(&Fresnel::Film {
+                film,
+                thickness_nm,
+                spread_nm: None,
+            })
         }));
         Ok(Self {
             from: T::new(from),
+            to: T::new(to),
             per_nm: T::new(pieces / (to - from)),
             nodes: nodes.into(),
         })
+    }
+
+    /// The mean under the normal distribution of a spread, cut to the range, by midpoints within 3.5 deviations. The
+    /// mean over the cosines has wide and weak fringes, so that few will do.
+    #[inline(always)]
+    fn averaged<L: Lane<Scalar = T>>(&self, thickness_nm: L, spread_nm: L) -> Rgb<L> {
+        const POINTS: u32 = 12;
+        const LEAST_NM: f64 = 1e-3;
+        let spread = spread_nm.max(L::new(LEAST_NM));
+        let centre = thickness_nm.max(L::splat(self.from)).min(L::splat(self.to));
+        let reach = L::new(3.5) * spread;
+        let from = (centre - reach).max(L::splat(self.from));
+        let to = (centre + reach).min(L::splat(self.to));
+        let (mut sum, mut total) = ([L::new(0.0); 3], L::new(0.0));
+        for i in 0..POINTS {
+            let part = L::new((f64::from(i) + 0.5) / f64::from(POINTS));
+            let at = from + (to - from) * part;
+            let distance = (at - centre) / spread;
+            let weight = (L::new(-0.5) * distance * distance).exp();
+            let mean = self.at(at);
+            sum = each!([0, 1, 2], |channel| sum[channel] + weight * mean[channel]);
+            total = total + weight;
+        }
+        each!(sum, |channel| channel / total)
     }
 
     /// The mean at a thickness, linear between the nodes. A thickness outside the range is clamped to it.

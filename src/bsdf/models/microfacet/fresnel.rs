@@ -1,6 +1,6 @@
 //! The Fresnel factor F: the reflectance of a facet.
 
-use super::params::{F0, THICKNESS_NM};
+use super::params::{F0, THICKNESS_NM, THICKNESS_SPREAD_NM};
 use crate::bsdf::precision::Precision;
 use crate::error::Error;
 use crate::film::{Film, FilmDescription};
@@ -27,7 +27,12 @@ pub(super) enum Fresnel<'a, T: Lane> {
     /// The same by a polynomial, to within rounding.
     Polynomial(&'a ConductorPolynomial<<T::Scalar as Lane>::Rgb>),
     /// The reflectance of a film.
-    Film { film: &'a Film, thickness_nm: T },
+    Film {
+        film: &'a Film,
+        thickness_nm: T,
+        /// The standard deviation of the thickness; `None` if it is always 0.
+        spread_nm: Option<T>,
+    },
 }
 
 impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
@@ -57,8 +62,18 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
                 let reflectance = polynomial.reflectance(cos_theta);
                 L::channels(reflectance.min(L::Rgb::new(1.0)))
             }
-            Self::Film { film, thickness_nm } => {
-                each!(T::reflectance(film, cos_theta, thickness_nm), |channel| {
+            Self::Film {
+                film,
+                thickness_nm,
+                spread_nm,
+            } => {
+                let reflectance = match spread_nm {
+                    None => T::reflectance(film, cos_theta, thickness_nm),
+                    Some(spread_nm) => {
+                        T::reflectance_spread(film, cos_theta, thickness_nm, spread_nm)
+                    }
+                };
+                each!(reflectance, |channel| {
                     channel.max(L::new(0.0)).min(L::new(1.0))
                 })
             }
@@ -72,6 +87,9 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
         match self {
             Self::Schlick { f0, .. } if param == F0 => *f0 = L::rgb(value),
             Self::Film { thickness_nm, .. } if param == THICKNESS_NM => *thickness_nm = value[0],
+            Self::Film { spread_nm, .. } if param == THICKNESS_SPREAD_NM => {
+                *spread_nm = Some(value[0]);
+            }
             _ => {}
         }
     }
@@ -92,7 +110,11 @@ pub(super) enum CompiledFresnel<T: Lane> {
     /// [`Fresnel::Polynomial`]
     Polynomial(ConductorPolynomial<T::Rgb>),
     /// [`Fresnel::Film`]
-    Film { film: Arc<Film>, thickness_nm: T },
+    Film {
+        film: Arc<Film>,
+        thickness_nm: T,
+        spread_nm: Option<T>,
+    },
 }
 
 impl<T: Precision> CompiledFresnel<T> {
@@ -102,6 +124,7 @@ impl<T: Precision> CompiledFresnel<T> {
         Ok(Self::Film {
             film: Arc::new(film),
             thickness_nm: T::new(0.0),
+            spread_nm: None,
         })
     }
 
@@ -142,9 +165,11 @@ impl<T: Precision> CompiledFresnel<T> {
             Self::Film {
                 ref film,
                 thickness_nm,
+                spread_nm,
             } => Fresnel::Film {
                 film,
                 thickness_nm: L::splat(thickness_nm),
+                spread_nm: spread_nm.map(L::splat),
             },
         }
     }

@@ -38,7 +38,7 @@
 //! - `conductor`: exact, with `eta` and `k` per channel; or a `metal` by its measured spectrum, integrated
 //!   as for a film.
 //! - `film`: the reflectance of a film at v.h and `thickness_nm`, with the rules of the model `film`. It is
-//!   clipped to \[0, 1\] for unclipped films too. A film without a table (its plan says so) takes some
+//!   clipped to \[0, 1\] for unclipped films too, and averaged over `thickness_spread_nm`. A film without a table (its plan says so) takes some
 //!   hundred us a call.
 //!
 //! **Energy**: with `cook_torrance`, whose grooves are a possible surface, and with `smith` the albedo is
@@ -84,7 +84,7 @@ use self::mirror::Mirror;
 use self::params::{
     ABC, ABC_EXPONENT, ALPHA, ANISOTROPY, BECKMANN, BLINN_PHONG, CONDUCTOR, CUSTOM, DIELECTRIC,
     DISTRIBUTION, ENERGY_COMPENSATION, ETA, F0, F90, FILM, FRESNEL, GGX, IMPLICIT, K, MASKING,
-    METAL, OFF, ROTATION, SCHLICK, SCHLICK_MASKING, SGD, SGD_P, THICKNESS_NM,
+    METAL, OFF, ROTATION, SCHLICK, SCHLICK_MASKING, SGD, SGD_P, THICKNESS_NM, THICKNESS_SPREAD_NM,
 };
 use self::rough::Rough;
 use self::roughness::Roughness;
@@ -189,9 +189,11 @@ impl Model for Microfacet {
                 "on: light that masking takes away comes back as if reflected by further facets; not for stretched surfaces.",
                 &["off", "on"],
             ),
+            ParamInfo::number("thickness_spread_nm", "Standard deviation of that thickness within a pixel or a real layer: colours are averaged over a normal distribution cut to the layer's range. At most the thickness_spread_max_nm of the film, refused if no layer varies (fresnel film).", [0.0, MAX_THICKNESS_NM as f32], 0.0).in_unit("nm"),
         ],
         lobes: LOBES,
         film_thickness: Some(THICKNESS_NM),
+        film_thickness_spread: Some(THICKNESS_SPREAD_NM),
         film_choice: Some(chosen(FRESNEL, FILM)),
         not_conserving: Some(Exception {
             cases: &[&[
@@ -230,7 +232,8 @@ impl Model for Microfacet {
         let compensation = if values.choice(ENERGY_COMPENSATION) == OFF {
             None
         } else {
-            let average = Average::new(&fresnel, values.varies(THICKNESS_NM))?;
+            let varies = values.varies(THICKNESS_NM) || values.varies(THICKNESS_SPREAD_NM);
+            let average = Average::new(&fresnel, varies)?;
             let alpha = (!values.varies(ALPHA)).then(|| double(values, ALPHA));
             let energy = distribution(values).energy(masking, alpha).rounded();
             Some(Compensation { energy, average })
@@ -305,6 +308,9 @@ fn fresnel<T: Precision>(values: &Values<T>) -> Result<CompiledFresnel<T>, Error
         _ => CompiledFresnel::Film {
             film: Arc::clone(values.film().expect("validation refuses a lack of it")),
             thickness_nm: values.number(THICKNESS_NM),
+            spread_nm: (values.varies(THICKNESS_SPREAD_NM)
+                || values.number(THICKNESS_SPREAD_NM) > T::new(0.0))
+            .then(|| values.number(THICKNESS_SPREAD_NM)),
         },
     })
 }

@@ -15,6 +15,7 @@ pub(super) const THICKNESS_NM: usize = 11;
 pub(super) const ABC_EXPONENT: usize = 12;
 pub(super) const SGD_P: usize = 13;
 pub(super) const ENERGY_COMPENSATION: usize = 14;
+pub(super) const THICKNESS_SPREAD_NM: usize = 15;
 
 /// The choices of `distribution`.
 pub(super) const GGX: usize = 0;
