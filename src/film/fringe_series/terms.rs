@@ -33,33 +33,41 @@ pub(super) struct BeamTerms {
     pub denominators: [Complex<F64x4>; 2],
 }
 
+// Functions and not closures: those are compiled without the lanes' instructions where they are not inlined.
 impl StackMedia<'_> {
+    /// Medium i, counted from the side of the light.
+    #[inline(always)]
+    fn medium(&self, i: usize) -> Complex<F64x4> {
+        match self.side {
+            Side::Ambient => self.indices[i],
+            Side::Base => self.indices[self.indices.len() - 1 - i],
+        }
+    }
+
+    /// The layer that is medium i.
+    #[inline(always)]
+    fn slab(&self, near: Incidence<F64x4>, i: usize, wavelength_nm: F64x4) -> Slab<F64x4> {
+        let layer = match self.side {
+            Side::Ambient => i - 1,
+            Side::Base => self.indices.len() - 2 - i,
+        };
+        let thickness_nm = F64x4::new(self.ranges[layer][0]);
+        Slab::new(&near.wave(self.medium(i)), thickness_nm, wavelength_nm)
+    }
+
     /// The terms for s and p at a cosine on the side of the light, and 2 q of the summed layer.
     #[inline(always)]
     pub(super) fn terms(&self, cos_theta: f64, sigma: F64x4) -> ([BeamTerms; 2], Complex<F64x4>) {
         let (zero, one) = (F64x4::new(0.0), F64x4::new(1.0));
         let last = self.indices.len() - 1;
-        // Medium i, counted from the side of the light.
-        let medium = |i: usize| match self.side {
-            Side::Ambient => self.indices[i],
-            Side::Base => self.indices[last - i],
-        };
         let summed = self.summed.map_or(last, |layer| match self.side {
             Side::Ambient => layer + 1,
             Side::Base => last - 1 - layer,
         });
-        let near = Incidence::new(medium(0).re, F64x4::new(cos_theta));
-        let far = near.wave(medium(last));
-        let inside = near.wave(medium(summed));
+        let near = Incidence::new(self.medium(0).re, F64x4::new(cos_theta));
+        let far = near.wave(self.medium(last));
+        let inside = near.wave(self.medium(summed));
         let wavelength_nm = one / sigma;
-        let slab = |i: usize| {
-            let layer = match self.side {
-                Side::Ambient => i - 1,
-                Side::Base => last - 1 - i,
-            };
-            let thickness_nm = F64x4::new(self.ranges[layer][0]);
-            Slab::new(&near.wave(medium(i)), thickness_nm, wavelength_nm)
-        };
         let near_w = near.immittance();
         let real = Complex::real;
         // The fields below the summed layer, carried there from the far half-space.
@@ -67,7 +75,7 @@ impl StackMedia<'_> {
         let mut below = [(s, real(one)), (p, real(one))];
         let mut decay = one;
         for i in (summed + 1..last).rev() {
-            let cross = slab(i);
+            let cross = self.slab(near, i, wavelength_nm);
             for (pol, (u, v)) in below.iter_mut().enumerate() {
                 (*u, *v) = cross.carry(pol, *u, *v);
             }
@@ -78,7 +86,7 @@ impl StackMedia<'_> {
         let mut above = [[(real(one), real(zero)), (real(zero), real(one))]; 2];
         let mut determinant = real(one);
         for i in (1..summed.min(last)).rev() {
-            let cross = slab(i);
+            let cross = self.slab(near, i, wavelength_nm);
             for (pol, columns) in above.iter_mut().enumerate() {
                 for (u, v) in columns {
                     (*u, *v) = cross.carry(pol, *u, *v);
