@@ -16,7 +16,7 @@ use crate::num::bytes::{ByteReader, ByteWriter};
 use crate::optics::stack::Side;
 
 /// The time of finding the zone and the cosine in the rarer half-space, ns.
-const ZONE_NS: f64 = 4.0;
+const ZONE_NS: f64 = 12.0;
 const BOTH: [Side; 2] = [Side::Ambient, Side::Base];
 
 /// Reflectance and transmittance from both sides.
@@ -231,7 +231,7 @@ impl ConstantSides {
     #[inline(always)]
     fn zone(&self, side: Side, cos_theta: f32) -> Zone {
         let c = f64::from(cos_theta);
-        if side == self.rarer {
+        if side == self.rarer || self.ratio == 1.0 {
             return Zone::Below(c);
         }
         // In this order of operations a small cosine keeps its digits between media of similar index.
