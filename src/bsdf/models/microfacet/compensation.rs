@@ -194,11 +194,12 @@ impl<T: Precision> Thicknesses<T> {
         })
     }
 
-    /// The mean under the normal distribution of a spread, cut to the range, by midpoints within 3.5 deviations. The
-    /// mean over the cosines has wide and weak fringes, so that few will do.
+    /// The mean under the normal distribution of a spread, cut to the range, by midpoints within 3.5 deviations. They
+    /// are at most a fifth of a deviation apart: the density of a cut distribution does not vanish at its end, so that
+    /// the error is of the order of the square of their distance. With 12 of them a BSDF was off by a hundredth.
     #[inline(always)]
     fn averaged<L: Lane<Scalar = T>>(&self, thickness_nm: L, spread_nm: L) -> Rgb<L> {
-        const POINTS: u32 = 12;
+        const POINTS: u32 = 36;
         const LEAST_NM: f64 = 1e-3;
         let spread = spread_nm.max(L::new(LEAST_NM));
         let centre = thickness_nm.max(L::splat(self.from)).min(L::splat(self.to));
