@@ -110,6 +110,8 @@ pub struct Drawn {
     choices: Vec<usize>,
     /// The range of the film's thickness, if there is a film whose thickness varies.
     thickness_nm: Option<[f32; 2]>,
+    /// The greatest deviation of that thickness that the film averages over, nm.
+    most_spread_nm: f32,
 }
 
 /// Times a range is drawn for a parameter before it stays fixed.
@@ -147,6 +149,7 @@ impl Drawn {
     fn range(&self, param: usize, numbers: &[f32], rng: &mut impl Rng) -> Option<[f32; 2]> {
         let [min, max] = match self.entry.info.params[param].kind {
             _ if self.entry.info.film_thickness == Some(param) => self.thickness_nm?,
+            _ if self.entry.info.film_thickness_spread == Some(param) => [0.0, self.most_spread_nm],
             ParamKind::Number { min, max, .. } => [min, max],
             _ => return None,
         };
@@ -208,16 +211,26 @@ impl Drawn {
             }
             values.push(numbers);
         }
-        let mut thickness_nm = None;
+        let (mut thickness_nm, mut most_spread_nm) = (None, 0.0);
         if (variant.entry.needs_film)(&defaults) {
             let film = Kind::QUICK[rng.random_range(0..Kind::QUICK.len())].film();
             let param = info.film_thickness.unwrap();
             thickness_nm = film
                 .varying_thickness_nm()
                 .map(|range| range.map(|nm| nm as f32));
-            if let Some([min, max]) = thickness_nm {
-                values[param] = vec![number(rng, min, max)];
-                description = description.set(info.params[param].name(), &values[param]);
+            most_spread_nm = film.thickness_spread_max_nm();
+            let ranges = [
+                (Some(param), thickness_nm),
+                (
+                    info.film_thickness_spread,
+                    (most_spread_nm > 0.0).then_some([0.0, most_spread_nm]),
+                ),
+            ];
+            for (param, range) in ranges {
+                if let (Some(param), Some([min, max])) = (param, range) {
+                    values[param] = vec![number(rng, min, max)];
+                    description = description.set(info.params[param].name(), &values[param]);
+                }
             }
             description = description.film(film);
         }
@@ -227,6 +240,7 @@ impl Drawn {
             varied: Vec::new(),
             choices,
             thickness_nm,
+            most_spread_nm,
         };
         (drawn, values)
     }
