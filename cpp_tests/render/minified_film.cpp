@@ -8,7 +8,7 @@ namespace render {
 namespace {
 
 constexpr float thicknessMax = 320, meanThickness = 160, broadDeviation = 22, fineDeviation = 28;
-/// A pixel that averages all of both has 36 nm, and one that happens to see larger waves a little more.
+/// A pixel that averages all of both has 35.6 nm, and one that happens to see larger waves a little more.
 constexpr float deviationMax = 45;
 
 constexpr float half = 400;
@@ -50,7 +50,7 @@ Camera overSheet() { return Camera(V3f(0, 2, 0), V3f(0, 0.05f, -4), 44); }
 Chapter minifiedFilmChapter() {
     return {"minified",
             3,
-            {sceneOf("minified-mean", "Mean thickness of a pixel\nTiO2 on titanium, 160 +- 36 nm", Minification::mean,
+            {sceneOf("minified-mean", "Mean thickness of a pixel\nTiO2 on titanium, 160 nm, uneven by 22 and 28 nm", Minification::mean,
                      0.25f),
              sceneOf("minified-spread", "Mean and standard deviation\nfrom the mip map, as thickness_spread_nm",
                      Minification::meanAndDeviation, 0.25f),

@@ -85,8 +85,9 @@ TEST_CASE("a footprint's deviation grows from none to that of the whole") {
     };
     // In full detail neighbouring texels differ a little, and half precision rounds.
     CHECK(at(0) < 0.5f);
-    // A box of width w keeps sinc(u w) sinc(v w) of a wave with u and v periods to a side. Averaged over all waves that leaves a
-    // deviation of 2.7 within a box of 0.01 and of 4.0 within 0.02; texture filters are up to twice as wide as what is asked.
+    // A box of width w keeps sinc(u w) sinc(v w) of a wave with u and v periods to a side. Averaged over all waves that
+    // leaves a deviation of 2.7 within a box of 0.01 and of 4.0 within 0.02; texture filters are up to twice as wide as what
+    // is asked.
     const float partly = at(0.01f);
     CHECK(partly > 2.6f);
     CHECK(partly < 4.1f);
