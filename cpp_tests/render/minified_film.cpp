@@ -50,8 +50,8 @@ Camera overSheet() { return Camera(V3f(0, 2, 0), V3f(0, 0.05f, -4), 44); }
 Chapter minifiedFilmChapter() {
     return {"minified",
             3,
-            {sceneOf("minified-mean", "Mean thickness of a pixel\nTiO2 on titanium, 160 nm, uneven by 22 and 28 nm", Minification::mean,
-                     0.25f),
+            {sceneOf("minified-mean", "Mean thickness of a pixel\nTiO2 on titanium, 160 nm, uneven by 22 and 28 nm",
+                     Minification::mean, 0.25f),
              sceneOf("minified-spread", "Mean and standard deviation\nfrom the mip map, as thickness_spread_nm",
                      Minification::meanAndDeviation, 0.25f),
              sceneOf("minified-truth", "Truth\nfull detail, 64 times as many samples", Minification::none, 16)}};

@@ -126,7 +126,8 @@ TEST_CASE("with its deviation a minified thickness has the colours of full detai
     CHECK(right < bound);
     CHECK(wrong > 8 * right);
 
-    // Towards the upper edge footprints are also longer than a broad wave, so that what a pixel sees is nearly normal.
+    // Towards the upper edge footprints are also longer than most broad waves. What a pixel sees is then the sum of two
+    // unevennesses of 64 waves each, which are both nearly normal.
     constexpr float longerThanBroadWaves = 0.25f;
     const double far = difference(both, truth, longerThanBroadWaves), farBound = 2 * 2e-3 + 2 * 0.0022 * amplitude;
     MESSAGE("far away: ", difference(mean, truth, longerThanBroadWaves), " without, ", far, " with; bound ", farBound);
