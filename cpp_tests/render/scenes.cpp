@@ -96,7 +96,8 @@ const std::vector<Scene> &scenes() {
 
 const std::vector<Chapter> &chapters() {
     static const std::vector<Chapter> all = [] {
-        std::vector<Chapter> list{heroChapter(), {"paper", 5, scenes()}, {"films", 6, filmScenes()}, lensChapter()};
+        std::vector<Chapter> list{heroChapter(), {"paper", 5, scenes()}, {"films", 6, filmScenes()}, lensChapter(),
+                                  minifiedFilmChapter()};
         for (Chapter &chapter : microfacetChapters()) list.push_back(std::move(chapter));
         for (Chapter &chapter : textureChapters()) list.push_back(std::move(chapter));
         return list;

@@ -45,6 +45,9 @@ const std::vector<Scene> &filmScenes();
 /// A lens without a coat, and with two.
 Chapter lensChapter();
 
+/// A film whose thickness varies within a pixel: by its mean, by mean and deviation, and the truth.
+Chapter minifiedFilmChapter();
+
 /// Rough surfaces: grids of spheres, and rows of them.
 std::vector<Chapter> microfacetChapters();
 

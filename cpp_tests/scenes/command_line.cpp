@@ -56,6 +56,7 @@ TEST_CASE("--list names the scenes") {
     CHECK(result.output.find("fig5-thick") != std::string::npos);
     CHECK(result.output.find("titanium") != std::string::npos);
     CHECK(result.output.find("film-spheres") != std::string::npos);
+    CHECK(result.output.find("minified-spread") != std::string::npos);
     CHECK(result.output.find("newton-soap") != std::string::npos);
 }
 
