@@ -141,6 +141,7 @@ fn a_plan_tells_of_both_sides() {
     let [front, back] = lens.plan().sides.map(Option::unwrap);
     assert_eq!([front.method, back.method], ["table"; 2]);
     assert_eq!([front.absorbed_max, back.absorbed_max], [0.0; 2]);
+    assert!(front.measured_max > 0.0 && back.measured_max > 0.0);
     // The base disperses: its critical angles need a coordinate of their own.
     assert!(0.0 < front.cost_ns && front.cost_ns < back.cost_ns);
     assert_eq!(
