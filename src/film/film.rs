@@ -292,11 +292,6 @@ impl Film {
         let thicknesses = self.description.thicknesses(thickness_nm);
         Colors::from(self.reference.evaluate(side, cos_theta, &thicknesses))
     }
-
-    /// The compiled form.
-    pub(super) fn evaluator(&self) -> &Evaluator {
-        &self.evaluator
-    }
 }
 
 /// The colours of each lane's cosine and thickness in turn.

@@ -112,7 +112,7 @@ impl Film {
         }
         let [cos_theta, thickness_nm] = self.clamp_inputs(inputs);
         let spread = self.spread(thickness_nm, deviation_nm);
-        let rgb = match self.evaluator() {
+        let rgb = match &self.evaluator {
             Evaluator::Tables(tables) => tables.reflectance(cos_theta, spread),
             _ => self.averaged(Side::Ambient, cos_theta, spread).reflectance,
         };
@@ -148,7 +148,7 @@ impl Film {
     /// The unclipped average for inputs in their ranges, by any evaluator.
     fn averaged(&self, side: Side, cos_theta: f32, spread: Spread) -> Colors {
         let c = f64::from(cos_theta);
-        match self.evaluator() {
+        match &self.evaluator {
             Evaluator::Tables(tables) => tables.colors(side, cos_theta, spread),
             Evaluator::Method(method) => {
                 let found = self.by_nodes(spread, |d| {
