@@ -10,7 +10,7 @@ use std::{env, fs};
 
 /// The files that hold the C interface, in the order in which the header presents them. The functions of
 /// the table stand in the same order. Once PELLICLE_ABI_VERSION is not 0, the table only grows at its end.
-const INTERFACE: [&str; 13] = [
+const INTERFACE: [&str; 14] = [
     "types.rs",
     "film_types.rs",
     "bsdf_types.rs",
@@ -22,6 +22,7 @@ const INTERFACE: [&str; 13] = [
     "film_spectra.rs",
     "bsdf.rs",
     "bsdf_calls.rs",
+    "bsdf_spectral.rs",
     "batch.rs",
     "api.rs",
 ];

@@ -542,6 +542,25 @@ typedef struct PellicleSample {
     float lobe_probability;
 } PellicleSample;
 
+// A direction sampled for one wavelength, the hero. It grows by appending; pass sizeof(PellicleSpectralSample).
+// Without a valid sample, and for a random number outside [0, 1), it is all zero, with status PELLICLE_OK.
+typedef struct PellicleSpectralSample {
+    // Direction to the light, unit, in the shading frame.
+    float wi[3];
+    // Refractive index on wi's side over that on wo's side, for the hero; 1 for a reflection.
+    float eta;
+    // Flags of the chosen lobe: PELLICLE_REFLECTION | PELLICLE_GLOSSY and so on.
+    uint32_t flags;
+    // Number of the chosen lobe, below PellicleBsdfInfo::lobe_count.
+    uint32_t lobe;
+    // Probability with which the hero chose that lobe among the lobes of the call.
+    float lobe_probability;
+    // 1 if the hero alone goes in this direction, because a medium disperses and the ray was refracted; else 0. The
+    // other wavelengths have weight and density 0, and the hero's weight is divided by its own probability alone: end
+    // the other wavelengths of the path, and count the hero as often as there were wavelengths.
+    uint32_t hero_only;
+} PellicleSpectralSample;
+
 // A strided array to read: component c of element i is at
 // `(const char*)data + i * element_stride + c * component_stride`. Strides are in bytes and may be
 // negative; element_stride 0 broadcasts one element. Any alignment. Frozen.
@@ -564,6 +583,79 @@ typedef struct PellicleView {
     // Bytes from one component to the next.
     ptrdiff_t component_stride;
 } PellicleView;
+
+// Arguments of pellicle_bsdf_eval_spectral_batch(). Zero-initialise them. They grow by appending; pass
+// sizeof(PellicleEvalSpectralBatchArgs).
+typedef struct PellicleEvalSpectralBatchArgs {
+    // Number of elements; 0 is allowed and does nothing.
+    size_t count;
+    // Number of wavelengths of each element, 1 to 16.
+    size_t lambda_count;
+    // Vacuum wavelengths, nm, lambda_count components; element_stride 0 gives all elements the same.
+    PellicleConstView lambda_nm;
+    // Directions to the viewer, 3 components.
+    PellicleConstView wo;
+    // Directions to the light, 3 components.
+    PellicleConstView wi;
+    // As in PellicleEvalBatchArgs, but colours have lambda_count components.
+    const PellicleConstView *varying;
+    // As in PellicleEvalBatchArgs.
+    size_t varying_count;
+    // As in PellicleEvalBatchArgs.
+    const PellicleCall *call;
+    // Receives f(wo, wi) |wi.z|, lambda_count components.
+    PellicleView value;
+    // Receives the densities of wi as if each wavelength had been the hero, lambda_count components.
+    PellicleView pdf;
+} PellicleEvalSpectralBatchArgs;
+
+// A strided array of whole numbers to write, one per element. data NULL means that it is not wanted. Any
+// alignment. Frozen.
+typedef struct PellicleUintView {
+    // Element 0.
+    uint32_t *data;
+    // Bytes from one element to the next.
+    ptrdiff_t element_stride;
+} PellicleUintView;
+
+// Arguments of pellicle_bsdf_sample_spectral_batch(). Zero-initialise them. They grow by appending; pass
+// sizeof(PellicleSampleSpectralBatchArgs).
+typedef struct PellicleSampleSpectralBatchArgs {
+    // Number of elements; 0 is allowed and does nothing.
+    size_t count;
+    // Number of wavelengths of each element, 1 to 16.
+    size_t lambda_count;
+    // Number of the wavelength that directions are sampled for, below lambda_count.
+    size_t hero;
+    // As in PellicleEvalSpectralBatchArgs.
+    PellicleConstView lambda_nm;
+    // Directions to the viewer, 3 components.
+    PellicleConstView wo;
+    // Uniform random numbers in [0, 1), 3 components.
+    PellicleConstView u;
+    // As in PellicleEvalSpectralBatchArgs.
+    const PellicleConstView *varying;
+    // As in PellicleEvalBatchArgs.
+    size_t varying_count;
+    // As in PellicleEvalBatchArgs.
+    const PellicleCall *call;
+    // Receives the directions to the light, 3 components.
+    PellicleView wi;
+    // Receives the weights, lambda_count components.
+    PellicleView weight;
+    // Receives the densities as if each wavelength had been the hero, lambda_count components.
+    PellicleView pdf;
+    // Receives the ratio of indices, 1 component.
+    PellicleView eta;
+    // Receives the chosen lobe's flags.
+    PellicleUintView flags;
+    // Receives the chosen lobe's number.
+    PellicleUintView lobe;
+    // Receives the probability with which the hero chose that lobe, 1 component.
+    PellicleView lobe_probability;
+    // Receives 1 where the hero alone goes in that direction, else 0.
+    PellicleUintView hero_only;
+} PellicleSampleSpectralBatchArgs;
 
 // Arguments of pellicle_bsdf_eval_batch(). Zero-initialise them. They grow by appending; pass
 // sizeof(PellicleEvalBatchArgs).
@@ -588,15 +680,6 @@ typedef struct PellicleEvalBatchArgs {
     // Receives the density of wo for a sample from wi, 1 component.
     PellicleView pdf_reverse;
 } PellicleEvalBatchArgs;
-
-// A strided array of whole numbers to write, one per element. data NULL means that it is not wanted. Any
-// alignment. Frozen.
-typedef struct PellicleUintView {
-    // Element 0.
-    uint32_t *data;
-    // Bytes from one element to the next.
-    ptrdiff_t element_stride;
-} PellicleUintView;
 
 // Arguments of pellicle_bsdf_sample_batch(). Zero-initialise them. They grow by appending; pass
 // sizeof(PellicleSampleBatchArgs). The outputs are PellicleSample's fields.
@@ -799,6 +882,37 @@ struct PellicleApi {
         const float *varying,
         const PellicleCall *call,
         float *albedo);
+    PellicleStatus (*bsdf_eval_spectral)(
+        const PellicleBsdf *bsdf,
+        const float *wo,
+        const float *wi,
+        const float *varying,
+        const PellicleCall *call,
+        const float *lambda_nm,
+        size_t lambda_count,
+        float *value,
+        float *pdf);
+    PellicleStatus (*bsdf_sample_spectral)(
+        const PellicleBsdf *bsdf,
+        const float *wo,
+        const float *u,
+        const float *varying,
+        const PellicleCall *call,
+        const float *lambda_nm,
+        size_t lambda_count,
+        size_t hero,
+        float *weight,
+        float *pdf,
+        PellicleSpectralSample *sample,
+        size_t sample_size);
+    PellicleStatus (*bsdf_eval_spectral_batch)(
+        const PellicleBsdf *bsdf,
+        const PellicleEvalSpectralBatchArgs *args,
+        size_t args_size);
+    PellicleStatus (*bsdf_sample_spectral_batch)(
+        const PellicleBsdf *bsdf,
+        const PellicleSampleSpectralBatchArgs *args,
+        size_t args_size);
     PellicleStatus (*bsdf_eval_batch)(
         const PellicleBsdf *bsdf,
         const PellicleEvalBatchArgs *args,
@@ -1185,6 +1299,78 @@ PellicleStatus pellicle_bsdf_albedo(const PellicleBsdf *bsdf,
                                     const float *varying,
                                     const PellicleCall *call,
                                     float *albedo);
+
+// Evaluates f(wo, wi) |wi.z| at `lambda_count` vacuum wavelengths, nm, and for each the density with which
+// pellicle_bsdf_sample_spectral() finds wi if that wavelength is the hero.
+//
+// Films and media are evaluated by wave optics at each wavelength, without clipping; indices given at 645, 525 and
+// 445 nm are interpolated. `varying`: as in pellicle_bsdf_eval(), but each colour (an RGB parameter that is no index)
+// has `lambda_count` numbers instead of 3, one per wavelength; NULL: every varying parameter has its default, which for
+// a colour must be gray. `lambda_nm`: 1 to 16 numbers, else OUT_OF_RANGE; a wavelength that is not finite and above 0
+// or, without `extrapolate` in the film's description, outside the range of a medium's data: OUT_OF_RANGE. `value` and
+// `pdf`: `lambda_count` numbers each; either may be NULL if it is not wanted, not both. `wo`, `wi` and `call` as in
+// pellicle_bsdf_eval().
+//
+// UNSUPPORTED: a colour with three different numbers that does not vary, or a `thickness_spread_nm` that varies or is
+// above 0.
+//
+// Preconditions:
+// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `call` good for its size.
+PellicleStatus pellicle_bsdf_eval_spectral(const PellicleBsdf *bsdf,
+                                           const float *wo,
+                                           const float *wi,
+                                           const float *varying,
+                                           const PellicleCall *call,
+                                           const float *lambda_nm,
+                                           size_t lambda_count,
+                                           float *value,
+                                           float *pdf);
+
+// Samples a direction to the light for wavelength number `hero`, and finds for every wavelength the weight and the
+// density that it would have as the hero.
+//
+// `weight`: `lambda_count` numbers, value / mean of the densities of all wavelengths; for a DELTA lobe the throughput
+// over the mean of the probabilities. `pdf`: `lambda_count` numbers, 0 for a DELTA lobe. Either may be NULL if it is
+// not wanted. The weights suit a renderer that draws the hero anew for every call, each wavelength as often as any
+// other. One that keeps the hero along a path multiplies values and densities along it, and divides by the mean of the
+// products. `sample` as in pellicle_bsdf_sample(); the rest as in pellicle_bsdf_eval_spectral().
+//
+// Preconditions:
+// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `call` good for its size,
+// `sample` good for `sample_size` bytes.
+PellicleStatus pellicle_bsdf_sample_spectral(const PellicleBsdf *bsdf,
+                                             const float *wo,
+                                             const float *u,
+                                             const float *varying,
+                                             const PellicleCall *call,
+                                             const float *lambda_nm,
+                                             size_t lambda_count,
+                                             size_t hero,
+                                             float *weight,
+                                             float *pdf,
+                                             PellicleSpectralSample *sample,
+                                             size_t sample_size);
+
+// Calls pellicle_bsdf_eval_spectral() for every element of strided arrays, each with wavelengths of its own or all with
+// the same; the results are those of single calls, bit for bit. An output with data NULL is not wanted; at least one
+// must be. An output that overlaps an input or another output is undefined behaviour. A wavelength that the single call
+// refuses is refused whichever element it belongs to, and nothing is written.
+//
+// Preconditions:
+// `bsdf` must be NULL (refused) or a live handle, `args` good for `args_size` bytes, `args->call` good for
+// its size, and every address that the views stand for readable or writable.
+PellicleStatus pellicle_bsdf_eval_spectral_batch(const PellicleBsdf *bsdf,
+                                                 const PellicleEvalSpectralBatchArgs *args,
+                                                 size_t args_size);
+
+// Calls pellicle_bsdf_sample_spectral() for every element of strided arrays, as pellicle_bsdf_eval_spectral_batch() does
+// for evaluations.
+//
+// Preconditions:
+// As for pellicle_bsdf_eval_spectral_batch().
+PellicleStatus pellicle_bsdf_sample_spectral_batch(const PellicleBsdf *bsdf,
+                                                   const PellicleSampleSpectralBatchArgs *args,
+                                                   size_t args_size);
 
 // Calls pellicle_bsdf_eval() for every element of strided arrays; the results are those of single calls, bit
 // for bit. An output with data NULL is not wanted; at least one must be.

@@ -573,6 +573,34 @@ public:
     void sample_batch(const PellicleSampleBatchArgs &args) const {
         detail::pellicle_throw_on_failure(pellicle_bsdf_sample_batch(raw(), &args, sizeof args));
     }
+
+    // f |wi.z| and the density of wi at `count` wavelengths, nm; `value` and `pdf`: `count` numbers, or nullptr. Colours
+    // in `varying` have `count` numbers each.
+    void eval_spectral(Float3 wo, Float3 wi, const float *lambda_nm, std::size_t count, float *value, float *pdf,
+                       const float *varying = nullptr, const PellicleCall *call = nullptr) const {
+        detail::pellicle_throw_on_failure(pellicle_bsdf_eval_spectral(raw(), wo.data(), wi.data(), varying, call, lambda_nm,
+                                                                      count, value, pdf));
+    }
+
+    // Chooses wi for wavelength number `hero`; `weight` and `pdf`: a number for each wavelength, or nullptr.
+    PellicleSpectralSample sample_spectral(Float3 wo, Float3 u, const float *lambda_nm, std::size_t count, std::size_t hero,
+                                           float *weight, float *pdf, const float *varying = nullptr,
+                                           const PellicleCall *call = nullptr) const {
+        PellicleSpectralSample result{};
+        detail::pellicle_throw_on_failure(pellicle_bsdf_sample_spectral(raw(), wo.data(), u.data(), varying, call, lambda_nm,
+                                                                        count, hero, weight, pdf, &result, sizeof result));
+        return result;
+    }
+
+    // eval_spectral() of args.count elements; the numbers are those of single calls.
+    void eval_spectral_batch(const PellicleEvalSpectralBatchArgs &args) const {
+        detail::pellicle_throw_on_failure(pellicle_bsdf_eval_spectral_batch(raw(), &args, sizeof args));
+    }
+
+    // sample_spectral() of args.count elements; the numbers are those of single calls.
+    void sample_spectral_batch(const PellicleSampleSpectralBatchArgs &args) const {
+        detail::pellicle_throw_on_failure(pellicle_bsdf_sample_spectral_batch(raw(), &args, sizeof args));
+    }
 #endif
 
 private:

@@ -51,7 +51,33 @@ pellicle::Bsdf lambert() {
 const float up[3] = {0.0f, 0.0f, 1.0f};
 const float slanted[3] = {0.0f, 0.6f, 0.8f};
 
+const float visible_nm[1] = {550.0f};
+
 // One valid element for each batch call.
+struct EvalSpectralBatch {
+    float value = -1.0f;
+    PellicleEvalSpectralBatchArgs args{};
+    EvalSpectralBatch() {
+        args.count = args.lambda_count = 1;
+        args.lambda_nm = {visible_nm, 4, 4};
+        args.wo = {up, 12, 4};
+        args.wi = {slanted, 12, 4};
+        args.value = {&value, 4, 4};
+    }
+};
+
+struct SampleSpectralBatch {
+    float weight = -1.0f;
+    PellicleSampleSpectralBatchArgs args{};
+    SampleSpectralBatch() {
+        args.count = args.lambda_count = 1;
+        args.lambda_nm = {visible_nm, 4, 4};
+        args.wo = {up, 12, 4};
+        args.u = {slanted, 12, 4};
+        args.weight = {&weight, 4, 4};
+    }
+};
+
 struct EvalBatch {
     float value[3] = {-1.0f, -1.0f, -1.0f};
     float pdf = -1.0f;
@@ -162,6 +188,12 @@ TEST_CASE("growth: every struct that is written is written up to the size given"
     check_written_up_to_size<PellicleSample>([](PellicleSample *sample, std::size_t size) {
         const float u[3] = {0.3f, 0.6f, 0.9f};
         return pellicle_bsdf_sample(bsdf.raw(), up, u, nullptr, nullptr, sample, size);
+    });
+    check_written_up_to_size<PellicleSpectralSample>([](PellicleSpectralSample *sample, std::size_t size) {
+        const float u[3] = {0.3f, 0.6f, 0.9f}, lambda_nm[2] = {450.0f, 650.0f};
+        float weight[2];
+        return pellicle_bsdf_sample_spectral(bsdf.raw(), up, u, nullptr, nullptr, lambda_nm, 2, 1, weight, nullptr, sample,
+                                             size);
     });
     check_written_up_to_size<PellicleFilmInfo>(
         [](PellicleFilmInfo *info, std::size_t size) { return pellicle_film_info(film, info, size); });
@@ -395,6 +427,20 @@ TEST_CASE("growth: newer batch arguments are refused if they use what this build
         film.reflectance[0] = -1.0f;
         const PellicleStatus status = pellicle_film_reflectance_batch(support::fixed_film().raw(), longer, size);
         CHECK_EQ(film.reflectance[0] == -1.0f, status != PELLICLE_OK);
+        return status;
+    });
+    EvalSpectralBatch eval_spectral;
+    check_tails(eval_spectral.args, [&](const PellicleEvalSpectralBatchArgs *longer, std::size_t size) {
+        eval_spectral.value = -1.0f;
+        const PellicleStatus status = pellicle_bsdf_eval_spectral_batch(bsdf.raw(), longer, size);
+        CHECK_EQ(eval_spectral.value == -1.0f, status != PELLICLE_OK);
+        return status;
+    });
+    SampleSpectralBatch sample_spectral;
+    check_tails(sample_spectral.args, [&](const PellicleSampleSpectralBatchArgs *longer, std::size_t size) {
+        sample_spectral.weight = -1.0f;
+        const PellicleStatus status = pellicle_bsdf_sample_spectral_batch(bsdf.raw(), longer, size);
+        CHECK_EQ(sample_spectral.weight == -1.0f, status != PELLICLE_OK);
         return status;
     });
     AmplitudesBatch amplitudes;

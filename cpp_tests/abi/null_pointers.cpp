@@ -52,6 +52,7 @@ struct Outputs {
     Untouched<PellicleVaryingInfo> varying;
     Untouched<PellicleLobeInfo> lobe;
     Untouched<PellicleSample> sample;
+    Untouched<PellicleSpectralSample> spectral_sample;
     Untouched<PellicleFilm *> film_handle;
     Untouched<PellicleBsdf *> bsdf_handle;
     Untouched<float[3]> rgb, other;
@@ -73,6 +74,8 @@ std::vector<std::pair<std::string, std::function<void()>>> all_calls(Outputs &ou
     static const float lambda_nm[3] = {450.0f, 550.0f, 650.0f};
     static const PellicleEvalBatchArgs eval_args{};
     static const PellicleSampleBatchArgs sample_args{};
+    static const PellicleEvalSpectralBatchArgs eval_spectral_args{};
+    static const PellicleSampleSpectralBatchArgs sample_spectral_args{};
     static const PellicleFilmBatchArgs film_args{};
     static const PellicleAmplitudesBatchArgs amplitudes_args{};
 #define NULLS(function, names, ...) {#function, [&outputs] { check_nulls(pellicle_##function, names, {__VA_ARGS__}); }}
@@ -113,6 +116,15 @@ std::vector<std::pair<std::string, std::function<void()>>> all_calls(Outputs &ou
         NULLS(bsdf_albedo, NAMES("bsdf", "wo", "", "", "albedo"), bsdf.raw(), up, nullptr, nullptr, outputs.rgb.output),
         NULLS(bsdf_eval_batch, NAMES("bsdf", "args", ""), bsdf.raw(), &eval_args, sizeof eval_args),
         NULLS(bsdf_sample_batch, NAMES("bsdf", "args", ""), bsdf.raw(), &sample_args, sizeof sample_args),
+        NULLS(bsdf_eval_spectral, NAMES("bsdf", "wo", "wi", "", "", "lambda_nm", "", "", ""), bsdf.raw(), up, up, nullptr,
+              nullptr, lambda_nm, 3, outputs.rgb.output, outputs.other.output),
+        NULLS(bsdf_sample_spectral, NAMES("bsdf", "wo", "u", "", "", "lambda_nm", "", "", "", "", "sample", ""), bsdf.raw(),
+              up, u, nullptr, nullptr, lambda_nm, 3, 0, outputs.rgb.output, outputs.other.output,
+              &outputs.spectral_sample.output, sizeof outputs.spectral_sample.output),
+        NULLS(bsdf_eval_spectral_batch, NAMES("bsdf", "args", ""), bsdf.raw(), &eval_spectral_args,
+              sizeof eval_spectral_args),
+        NULLS(bsdf_sample_spectral_batch, NAMES("bsdf", "args", ""), bsdf.raw(), &sample_spectral_args,
+              sizeof sample_spectral_args),
     };
 #undef NULLS
 #undef NAMES

@@ -201,6 +201,36 @@ TEST_CASE("stack: every call of a BSDF needs at most 32 KiB, at every SIMD level
             check("albedo", [&] {
                 status = pellicle_bsdf_albedo(bsdf, one.wo[0].data(), one.varying.data(), nullptr, value);
             });
+            // What varies may be anything here: enough numbers for 16 wavelengths of every parameter. Spreads are refused.
+            const std::vector<float> lambda_nm(16, 550.0f), numbers(256, 0.3f);
+            float at_each[2][16];
+            PellicleSpectralSample drawn;
+            check_within(most, "eval_spectral", [&] {
+                pellicle_bsdf_eval_spectral(bsdf, one.wo[0].data(), one.wi[0].data(), numbers.data(), nullptr,
+                                            lambda_nm.data(), 16, at_each[0], at_each[1]);
+            });
+            check_within(most, "sample_spectral", [&] {
+                pellicle_bsdf_sample_spectral(bsdf, one.wo[0].data(), one.u[0].data(), numbers.data(), nullptr,
+                                              lambda_nm.data(), 16, 5, at_each[0], at_each[1], &drawn, sizeof drawn);
+            });
+            PellicleEvalSpectralBatchArgs pairs{};
+            pairs.count = 2;
+            pairs.lambda_count = 16;
+            pairs.lambda_nm = {lambda_nm.data(), 0, 4};
+            pairs.wo = {one.wo[0].data(), 0, 4};
+            pairs.wi = {one.wi[0].data(), 0, 4};
+            pairs.value = {at_each[0], 0, 4};
+            check_within(most, "eval_spectral_batch",
+                         [&] { pellicle_bsdf_eval_spectral_batch(bsdf, &pairs, sizeof pairs); });
+            PellicleSampleSpectralBatchArgs draws{};
+            draws.count = 2;
+            draws.lambda_count = 16;
+            draws.lambda_nm = pairs.lambda_nm;
+            draws.wo = pairs.wo;
+            draws.u = {one.u[0].data(), 0, 4};
+            draws.weight = pairs.value;
+            check_within(most, "sample_spectral_batch",
+                         [&] { pellicle_bsdf_sample_spectral_batch(bsdf, &draws, sizeof draws); });
             check("retain and release", [&] {
                 pellicle_bsdf_retain(bsdf);
                 pellicle_bsdf_release(bsdf);

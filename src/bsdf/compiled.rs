@@ -8,7 +8,9 @@ use super::precision::Precision;
 use super::quadrature;
 use super::surface::Surface;
 use super::varying::VaryingValues;
-use crate::num::{Lane, Level, Rgb, Vec3, Work};
+use super::wavelengths::{SpectralCall, SpectralValues, splat_vector};
+use crate::film::Film;
+use crate::num::{Lane, Level, Real, Rgb, Vec3, Work};
 
 /// A compiled model whose lobes all reflect and have a density: its numbers and tables, from which each job
 /// makes a [`Surface`].
@@ -23,6 +25,11 @@ pub trait Compiled<T: Precision>: Send + Sync + 'static {
     /// The parts of the plan in words, see [`Kernel::plan`].
     fn plan(&self) -> Vec<&'static str> {
         Vec::new()
+    }
+
+    /// The film whose media decide which wavelengths spectral calls take.
+    fn film(&self) -> Option<&Film> {
+        None
     }
 
     /// Runs an evaluation job. A model may override this to run a copy specialised for its most frequent
@@ -110,6 +117,31 @@ impl<C> LobeKernel<C> {
         C: Compiled<T>,
     {
         self.with_varied(varying, lobes, f);
+    }
+
+    /// The surface at the wavelengths of a call from number `from` on, one in each lane, and the lanes whose values are
+    /// usable.
+    #[inline(always)]
+    fn at_wavelengths<T: Precision, L: Lane<Scalar = T>>(
+        &self,
+        call: &SpectralCall<T>,
+        from: usize,
+    ) -> (C::Surface<'_, L>, L::Mask)
+    where
+        C: Compiled<T>,
+    {
+        let mut surface = self.0.surface::<L>();
+        if !call.lobes.is_all() {
+            surface.retain(call.lobes);
+        }
+        let is_usable = call.varying.clamp_inputs::<L>(
+            from,
+            #[inline(always)]
+            |param, value| surface.vary(param, value),
+        );
+        surface.set_wavelength(L::load(&call.lambda_nm[from..from + L::COUNT]));
+        surface.finish_vary();
+        (surface, is_usable)
     }
 
     /// The kernel for loops without lanes, which run at the level "scalar" alone. With the formulas of every
@@ -215,6 +247,46 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
                 job,
             },
         );
+    }
+
+    fn eval_spectral(
+        &self,
+        wo: Vec3<T>,
+        wi: Vec3<T>,
+        call: &SpectralCall<T>,
+        found: &mut SpectralValues<T>,
+    ) {
+        let count = T::Wavelengths::COUNT;
+        for from in (0..call.count).step_by(count) {
+            let (surface, is_usable) = self.at_wavelengths::<T, T::Wavelengths>(call, from);
+            let (wo, wi) = (splat_vector(wo), splat_vector(wi));
+            let ([value, ..], pdf) = eval_pdf(&surface, call.lobes, wo, wi);
+            let zero = T::Wavelengths::new(0.0);
+            let used = from..from + count;
+            T::Wavelengths::select(is_usable, value, zero).store(&mut found.value[used.clone()]);
+            T::Wavelengths::select(is_usable, pdf, zero).store(&mut found.pdf[used]);
+        }
+    }
+
+    fn sample_spectral(
+        &self,
+        wo: Vec3<T>,
+        u: [T; 3],
+        call: &SpectralCall<T>,
+        found: &mut SpectralValues<T>,
+    ) -> (Direction<T>, bool) {
+        let (surface, is_usable) = self.at_wavelengths::<T, T>(call, call.hero);
+        let drawn = sample(&surface, call.lobes, is_usable, wo, u);
+        if drawn.pdf > T::new(0.0) {
+            self.eval_spectral(wo, drawn.wi, call, found);
+            let densities = found.pdf;
+            found.weigh(&densities, call.count);
+        }
+        (drawn, false)
+    }
+
+    fn film(&self) -> Option<&Film> {
+        self.0.film()
     }
 
     fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T> {

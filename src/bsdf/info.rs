@@ -164,6 +164,9 @@ pub struct ParamInfo {
     pub kind: ParamKind,
     /// Whether it may vary per call.
     pub can_vary: bool,
+    /// Whether its three numbers are refractive indices or extinction coefficients at 645, 525 and 445 nm, which
+    /// spectral calls interpolate. Colours have no value at other wavelengths.
+    pub is_index: bool,
     /// The cases in which the parameter has an effect: in each, all of its choices are made. Without cases
     /// it always has one. A description that gives a parameter without effect is refused.
     pub used_with: &'static [&'static [Choice]],
@@ -179,6 +182,7 @@ impl ParamInfo {
             summary,
             kind,
             can_vary,
+            is_index: false,
             used_with: &[],
         }
     }
@@ -249,6 +253,19 @@ impl ParamInfo {
     /// Whether the parameter has an effect. `chosen` gives the choice made for each parameter.
     pub fn is_used(&self, chosen: impl Fn(usize) -> usize) -> bool {
         self.used_with.is_empty() || is_any_made(self.used_with, chosen)
+    }
+
+    /// The same parameter, which is an index at three wavelengths.
+    pub(super) const fn index(self) -> Self {
+        Self {
+            is_index: true,
+            ..self
+        }
+    }
+
+    /// Whether it is a colour, of which spectral calls take one number per wavelength.
+    pub fn is_color(&self) -> bool {
+        matches!(self.kind, ParamKind::Number { components: 3, .. }) && !self.is_index
     }
 
     /// The same parameter, which may not vary.

@@ -10,6 +10,7 @@ use super::precision::Precision;
 use super::registry::find;
 use super::resolve::resolve;
 use super::varying::{VaryingParams, VaryingRange, VaryingValues};
+use super::wavelengths::refusal;
 use crate::error::Error;
 use crate::num::{Level, Rgb, Vec3};
 
@@ -74,8 +75,10 @@ pub struct Bsdf<T: Precision = f32> {
     lobes: &'static [LobeInfo],
     /// Whether light reaches the other side of the surface, where z < 0.
     is_two_sided: bool,
-    kernel: Box<dyn Kernel<T>>,
+    pub(super) kernel: Box<dyn Kernel<T>>,
     varying: VaryingParams<T>,
+    /// Why spectral calls are refused, if they are.
+    pub(super) spectral_refusal: Option<String>,
     ranges: Box<[VaryingRange]>,
     level: Level,
     plan: String,
@@ -104,6 +107,7 @@ impl<T: Precision> Bsdf<T> {
             is_two_sided: Flags::of(lobes).contains(Flags::TRANSMISSION),
             kernel,
             varying: VaryingParams::new(model.info, &values, &resolved.varying),
+            spectral_refusal: refusal(model.info, &values),
             ranges: resolved.varying.into(),
             level,
         })
@@ -318,7 +322,7 @@ impl<T: Precision> Bsdf<T> {
 
     /// The direction with unit length, if its length is 1 to within 1e-3 and it is on a side that light reaches.
     #[inline(always)]
-    fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
+    pub(super) fn direction(&self, w: T::Vector) -> Option<Vec3<T>> {
         let (w, is_accepted) = unit(Vec3::from_array(w.into()));
         let zero = T::new(0.0);
         let is_seen = w.z > zero || self.is_two_sided && w.z < zero;

@@ -4,6 +4,8 @@ use super::call::Transport;
 use super::job::{Direction, EvalJob, SampleJob, are_uniform, unit};
 use super::lobes::{LobeSet, PerLobe};
 use super::varying::VaryingValues;
+use super::wavelengths::{SpectralCall, SpectralValues};
+use crate::film::Film;
 use crate::num::{Lane, Level, Rgb, Vec3};
 
 /// A compiled model of any kind.
@@ -52,6 +54,31 @@ pub trait Kernel<T: Lane<Scalar = T, Mask = bool>>: Send + Sync {
     /// Samples of many elements. They are the bits of [`Kernel::sample`] at every level.
     fn sample_job(&self, _level: Level, job: &mut SampleJob<T>) {
         sample_each(self, job);
+    }
+
+    /// Values and densities at the wavelengths of a call. The default, 0, is for models whose lobes are all Dirac.
+    fn eval_spectral(
+        &self,
+        _wo: Vec3<T>,
+        _wi: Vec3<T>,
+        _call: &SpectralCall<T>,
+        _found: &mut SpectralValues<T>,
+    ) {
+    }
+
+    /// Samples a direction for the hero, and finds weights and densities at all wavelengths. Returns the direction, and
+    /// whether the hero alone goes there.
+    fn sample_spectral(
+        &self,
+        wo: Vec3<T>,
+        u: [T; 3],
+        call: &SpectralCall<T>,
+        found: &mut SpectralValues<T>,
+    ) -> (Direction<T>, bool);
+
+    /// The film whose media decide which wavelengths spectral calls take.
+    fn film(&self) -> Option<&Film> {
+        None
     }
 
     /// The directional albedo of the lobes in the set: the integral of the value over wi, Dirac lobes

@@ -4,7 +4,7 @@ use super::kernel::Kernel;
 use super::values::Values;
 use crate::error::Error;
 use crate::film::Film;
-use crate::num::{Lane, Level, Rgb, Work};
+use crate::num::{F32x4, Lane, Level, Rgb, Work};
 
 /// The compiler of a model in one precision.
 pub type Prepare<T> = fn(&Values<T>) -> Result<Box<dyn Kernel<T>>, Error>;
@@ -14,6 +14,9 @@ pub type Prepare<T> = fn(&Values<T>) -> Result<Box<dyn Kernel<T>>, Error>;
 pub trait Precision: Lane<Mask = bool, Scalar = Self> + PartialOrd + Default + Into<f64> {
     /// The vector type of calls.
     type Vector: Into<[Self; 3]> + From<[Self; 3]> + Copy;
+
+    /// The lanes of spectral calls, a wavelength in each.
+    type Wavelengths: Lane<Scalar = Self>;
 
     /// The number rounded to single precision, in which films are evaluated.
     fn to_f32(self) -> f32;
@@ -46,6 +49,7 @@ pub trait Precision: Lane<Mask = bool, Scalar = Self> + PartialOrd + Default + I
 
 impl Precision for f32 {
     type Vector = glam::Vec3;
+    type Wavelengths = F32x4;
 
     #[inline(always)]
     fn to_f32(self) -> f32 {
@@ -89,6 +93,7 @@ impl Precision for f32 {
 
 impl Precision for f64 {
     type Vector = glam::DVec3;
+    type Wavelengths = Self;
 
     #[inline(always)]
     fn to_f32(self) -> f32 {

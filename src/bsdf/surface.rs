@@ -17,6 +17,11 @@ pub trait Surface<L: Lane> {
     /// a direction has unit length.
     fn vary(&mut self, param: usize, value: [L; 3]);
 
+    /// Sets the vacuum wavelength, nm, of everything that depends on it: indices and films. All channels then have the
+    /// value at this wavelength. It is called at most once, after the last [`Surface::vary`].
+    #[inline(always)]
+    fn set_wavelength(&mut self, _lambda_nm: L) {}
+
     /// Computes what depends on several parameters. It is called after the last [`Surface::vary`], and at
     /// least once before evaluation.
     #[inline(always)]

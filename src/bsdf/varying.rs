@@ -7,6 +7,9 @@ use crate::num::{Lane, Real, Vec3, each};
 /// The greatest number of varying parameters of a BSDF. Their values fit on the stack.
 pub(crate) const MAX_VARYING: usize = 16;
 
+/// The most numbers that varying parameters have together.
+pub(crate) const MAX_FLOATS: usize = 3 * MAX_VARYING;
+
 /// A varying parameter and its declared range.
 #[derive(Clone, Copy, Debug)]
 pub struct VaryingRange {

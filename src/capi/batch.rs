@@ -34,7 +34,7 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_batch(
         unsafe {
             let bsdf = &bsdf::handle(bsdf)?.bsdf;
             let args = read_growing(args, args_size, "args")?;
-            let mut room = [NO_VIEW; MAX_VARYING];
+            let mut room = [ConstView::NONE; MAX_VARYING];
             let args = EvalArgs {
                 count: args.count,
                 call: call_options(args.call)?,
@@ -67,7 +67,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_batch(
         unsafe {
             let bsdf = &bsdf::handle(bsdf)?.bsdf;
             let args = read_growing(args, args_size, "args")?;
-            let mut room = [NO_VIEW; MAX_VARYING];
+            let mut room = [ConstView::NONE; MAX_VARYING];
             let args = SampleArgs {
                 count: args.count,
                 call: call_options(args.call)?,
@@ -150,14 +150,8 @@ pub unsafe extern "C" fn pellicle_film_amplitudes_batch(
     })
 }
 
-const NO_VIEW: ConstView = ConstView {
-    data: std::ptr::null(),
-    element_stride: 0,
-    component_stride: 0,
-};
-
 /// Copies the views of varying parameters, which may lie at any alignment.
-unsafe fn varying_views(
+pub(super) unsafe fn varying_views(
     varying: *const PellicleConstView,
     count: usize,
     room: &mut [ConstView; MAX_VARYING],

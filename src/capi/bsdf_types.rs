@@ -129,6 +129,27 @@ pub struct PellicleSample {
     pub lobe_probability: f32,
 }
 
+/// A direction sampled for one wavelength, the hero. It grows by appending; pass sizeof(PellicleSpectralSample).
+/// Without a valid sample, and for a random number outside [0, 1), it is all zero, with status PELLICLE_OK.
+#[repr(C)]
+#[derive(Clone, Copy, Default)]
+pub struct PellicleSpectralSample {
+    /// Direction to the light, unit, in the shading frame.
+    pub wi: [f32; 3],
+    /// Refractive index on wi's side over that on wo's side, for the hero; 1 for a reflection.
+    pub eta: f32,
+    /// Flags of the chosen lobe: PELLICLE_REFLECTION | PELLICLE_GLOSSY and so on.
+    pub flags: u32,
+    /// Number of the chosen lobe, below PellicleBsdfInfo::lobe_count.
+    pub lobe: u32,
+    /// Probability with which the hero chose that lobe among the lobes of the call.
+    pub lobe_probability: f32,
+    /// 1 if the hero alone goes in this direction, because a medium disperses and the ray was refracted; else 0. The
+    /// other wavelengths have weight and density 0, and the hero's weight is divided by its own probability alone: end
+    /// the other wavelengths of the path, and count the hero as often as there were wavelengths.
+    pub hero_only: u32,
+}
+
 /// Arguments of pellicle_bsdf_eval_batch(). Zero-initialise them. They grow by appending; pass
 /// sizeof(PellicleEvalBatchArgs).
 #[repr(C)]
@@ -186,4 +207,72 @@ pub struct PellicleSampleBatchArgs {
     pub lobe: PellicleUintView,
     /// Receives the probability of choosing that lobe, 1 component.
     pub lobe_probability: PellicleView,
+}
+
+/// Arguments of pellicle_bsdf_eval_spectral_batch(). Zero-initialise them. They grow by appending; pass
+/// sizeof(PellicleEvalSpectralBatchArgs).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleEvalSpectralBatchArgs {
+    /// Number of elements; 0 is allowed and does nothing.
+    pub count: size_t,
+    /// Number of wavelengths of each element, 1 to 16.
+    pub lambda_count: size_t,
+    /// Vacuum wavelengths, nm, lambda_count components; element_stride 0 gives all elements the same.
+    pub lambda_nm: PellicleConstView,
+    /// Directions to the viewer, 3 components.
+    pub wo: PellicleConstView,
+    /// Directions to the light, 3 components.
+    pub wi: PellicleConstView,
+    /// As in PellicleEvalBatchArgs, but colours have lambda_count components.
+    pub varying: *const PellicleConstView,
+    /// As in PellicleEvalBatchArgs.
+    pub varying_count: size_t,
+    /// As in PellicleEvalBatchArgs.
+    pub call: *const PellicleCall,
+    /// Receives f(wo, wi) |wi.z|, lambda_count components.
+    pub value: PellicleView,
+    /// Receives the densities of wi as if each wavelength had been the hero, lambda_count components.
+    pub pdf: PellicleView,
+}
+
+/// Arguments of pellicle_bsdf_sample_spectral_batch(). Zero-initialise them. They grow by appending; pass
+/// sizeof(PellicleSampleSpectralBatchArgs).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PellicleSampleSpectralBatchArgs {
+    /// Number of elements; 0 is allowed and does nothing.
+    pub count: size_t,
+    /// Number of wavelengths of each element, 1 to 16.
+    pub lambda_count: size_t,
+    /// Number of the wavelength that directions are sampled for, below lambda_count.
+    pub hero: size_t,
+    /// As in PellicleEvalSpectralBatchArgs.
+    pub lambda_nm: PellicleConstView,
+    /// Directions to the viewer, 3 components.
+    pub wo: PellicleConstView,
+    /// Uniform random numbers in [0, 1), 3 components.
+    pub u: PellicleConstView,
+    /// As in PellicleEvalSpectralBatchArgs.
+    pub varying: *const PellicleConstView,
+    /// As in PellicleEvalBatchArgs.
+    pub varying_count: size_t,
+    /// As in PellicleEvalBatchArgs.
+    pub call: *const PellicleCall,
+    /// Receives the directions to the light, 3 components.
+    pub wi: PellicleView,
+    /// Receives the weights, lambda_count components.
+    pub weight: PellicleView,
+    /// Receives the densities as if each wavelength had been the hero, lambda_count components.
+    pub pdf: PellicleView,
+    /// Receives the ratio of indices, 1 component.
+    pub eta: PellicleView,
+    /// Receives the chosen lobe's flags.
+    pub flags: PellicleUintView,
+    /// Receives the chosen lobe's number.
+    pub lobe: PellicleUintView,
+    /// Receives the probability with which the hero chose that lobe, 1 component.
+    pub lobe_probability: PellicleView,
+    /// Receives 1 where the hero alone goes in that direction, else 0.
+    pub hero_only: PellicleUintView,
 }

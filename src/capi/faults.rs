@@ -189,6 +189,49 @@ fn calls() -> Vec<(&'static str, Call)> {
             args.weight = view(out.numbers.as_mut_ptr());
             pellicle_bsdf_sample_batch(handles.bsdf, &args, size_of_val(&args))
         }),
+        ("pellicle_bsdf_eval_spectral", |handles, out| unsafe {
+            let [value, pdf] = [0, 1].map(|at| out.numbers.as_mut_ptr().add(at));
+            let up = UP.as_ptr();
+            let nm = [550.0].as_ptr();
+            pellicle_bsdf_eval_spectral(handles.bsdf, up, up, null(), null(), nm, 1, value, pdf)
+        }),
+        ("pellicle_bsdf_sample_spectral", |handles, out| unsafe {
+            let [weight, pdf] = [0, 1].map(|at| out.numbers.as_mut_ptr().add(at));
+            pellicle_bsdf_sample_spectral(
+                handles.bsdf,
+                UP.as_ptr(),
+                [0.5; 3].as_ptr(),
+                null(),
+                null(),
+                [550.0].as_ptr(),
+                1,
+                0,
+                weight,
+                pdf,
+                out.bytes.as_mut_ptr().cast(),
+                size_of::<PellicleSpectralSample>(),
+            )
+        }),
+        ("pellicle_bsdf_eval_spectral_batch", |handles, out| unsafe {
+            let mut args: PellicleEvalSpectralBatchArgs = std::mem::zeroed();
+            [args.count, args.lambda_count] = [5, 1];
+            [args.wo, args.wi] = [const_view(&UP); 2];
+            args.lambda_nm = const_view(&[550.0; 3]);
+            args.value = view(out.numbers.as_mut_ptr());
+            pellicle_bsdf_eval_spectral_batch(handles.bsdf, &args, size_of_val(&args))
+        }),
+        (
+            "pellicle_bsdf_sample_spectral_batch",
+            |handles, out| unsafe {
+                let mut args: PellicleSampleSpectralBatchArgs = std::mem::zeroed();
+                [args.count, args.lambda_count] = [5, 1];
+                args.wo = const_view(&UP);
+                args.u = const_view(&[0.5; 3]);
+                args.lambda_nm = const_view(&[550.0; 3]);
+                args.weight = view(out.numbers.as_mut_ptr());
+                pellicle_bsdf_sample_spectral_batch(handles.bsdf, &args, size_of_val(&args))
+            },
+        ),
         ("pellicle_film_create", |_, out| unsafe {
             let mut desc: PellicleFilmDesc = std::mem::zeroed();
             let mut glass: PellicleMedium = std::mem::zeroed();

@@ -26,7 +26,7 @@ pub(crate) use arctangent::angle_turns;
 pub use columns::{ColumnMut, Columns, ColumnsMut};
 pub(crate) use error_function::{erfcx, erfinv};
 pub use lane::Lane;
-pub use lanes::{F64x4, Level, Work, widest};
+pub use lanes::{F32x4, F64x4, Level, Work, widest};
 pub use real::{Mask, Real};
 pub(crate) use rgb::each;
 pub(crate) use table::INDEX_BIAS;

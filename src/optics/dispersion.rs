@@ -137,12 +137,11 @@ impl Medium {
             Kind::Named(named) => named.index(wavelength_nm),
             Kind::Rgb([a, b, c]) if a == b && b == c => constant(*a),
             Kind::Rgb([a, b, c]) => {
-                let [u0, u1, u2] = RGB_INVERSE_SQUARES;
-                let u = T::new(1.0) / wavelength_nm.squared();
-                let (a, b, c) = (constant(*a), constant(*b), constant(*c));
-                let below = (u - T::new(u0)) * T::new(1.0 / (u1 - u0));
-                let above = (u - T::new(u1)) * T::new(1.0 / (u2 - u1));
-                Complex::select(u.lt(T::new(u1)), mix(a, b, below), mix(b, c, above))
+                let of = |number: fn(&Complex<f64>) -> f64| [a, b, c].map(|n| T::new(number(n)));
+                Complex::new(
+                    index_between(of(|n| n.re), wavelength_nm),
+                    index_between(of(|n| n.im), wavelength_nm),
+                )
             }
             Kind::Table { lambda_nm, index } => look_up(lambda_nm, index),
         }
@@ -279,6 +278,18 @@ fn check(name: &str, values: &[f64], [min, max]: [f64; 2]) -> Result<(), Error> 
     Err(Error::out_of_range(format!(
         "{name}[{at}] = {value} is outside [{min}, {max}]"
     )))
+}
+
+/// A number given at [`RGB_WAVELENGTHS_NM`], at a vacuum wavelength in nm: linear in 1 / lambda^2, the first two terms
+/// of Cauchy's formula, and constant outside.
+#[inline(always)]
+pub fn index_between<T: Real>([a, b, c]: [T; 3], wavelength_nm: T) -> T {
+    let [u0, u1, u2] = RGB_INVERSE_SQUARES;
+    let u = T::new(1.0) / wavelength_nm.squared();
+    let part = |t: T| t.max(T::new(0.0)).min(T::new(1.0));
+    let below = part((u - T::new(u0)) * T::new(1.0 / (u1 - u0)));
+    let above = part((u - T::new(u1)) * T::new(1.0 / (u2 - u1)));
+    T::select(u.lt(T::new(u1)), a + (b - a) * below, b + (c - b) * above)
 }
 
 /// Linear between the wavelengths of a table, constant outside.

@@ -21,7 +21,7 @@ pub(crate) use amplitudes::Propagation;
 pub use color::{ChannelWeights, ColorSpace, VISIBLE_NM, White, matching_functions};
 pub use complex::Complex;
 pub use conductor::ConductorPolynomial;
-pub use dispersion::Medium;
+pub use dispersion::{Medium, index_between};
 pub use fresnel::{
     conductor_reflectance, dielectric_reflectance, normal_reflectance, schlick, schlick_between,
     schlick_falling, schlick_transmittance,

@@ -19,5 +19,6 @@ mod plan_refusals;
 mod precision;
 mod saving;
 mod sides;
+mod spectral;
 mod spread;
 mod table_limit;

@@ -13,5 +13,6 @@ mod common;
 mod lengths;
 mod registry;
 mod specialised;
+mod spectral;
 mod strided;
 mod varying;

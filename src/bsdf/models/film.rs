@@ -41,7 +41,8 @@ use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
 use crate::bsdf::varying::VaryingValues;
-use crate::film::{DIRECTION_NM, Film, MAX_THICKNESS_NM};
+use crate::bsdf::wavelengths::{MAX_WAVELENGTHS, SpectralCall, SpectralValues};
+use crate::film::{DIRECTION_NM, Film, MAX_THICKNESS_NM, Ray};
 use crate::num::{Real, Rgb, Vec3};
 use crate::optics::Interface;
 use crate::optics::stack::Side;
@@ -116,9 +117,12 @@ struct Refraction<T> {
 
 impl<T: Precision> Refraction<T> {
     fn through(film: &Film) -> Self {
-        let [ambient, base] = film
-            .half_spaces()
-            .map(|medium| medium.index(DIRECTION_NM).re);
+        Self::at(film, DIRECTION_NM)
+    }
+
+    /// The refraction of a vacuum wavelength, nm.
+    fn at(film: &Film, lambda_nm: f64) -> Self {
+        let [ambient, base] = film.half_spaces().map(|medium| medium.index(lambda_nm).re);
         Self {
             interface: Interface::new(T::new(ambient), T::new(base)),
             eta: T::new(base / ambient),
@@ -206,6 +210,47 @@ impl<T: Precision> SmoothFilm<T> {
     }
 }
 
+impl<T: Precision> SmoothFilm<T> {
+    /// The split of the light of one vacuum wavelength, nm, in all channels.
+    fn split_at(&self, overrides: &[(usize, [T; 3])], wo: Vec3<T>, lambda_nm: T) -> Split<T> {
+        let thickness = overrides.iter().find(|(param, _)| *param == THICKNESS_NM);
+        let thickness_nm = thickness.map_or(self.thickness_nm, |(_, value)| value[0]);
+        let ray = Ray {
+            cos_theta: wo.z.abs().into(),
+            thickness_nm: thickness_nm.into(),
+            wavelength_nm: lambda_nm.into(),
+        };
+        let side = if wo.z > T::new(0.0) {
+            Side::Ambient
+        } else {
+            Side::Base
+        };
+        let mut power = [T::new(0.0); 2];
+        self.film.each_response(
+            side,
+            1,
+            |_| ray,
+            |_, found| {
+                power = [
+                    found.unpolarized_reflectance(),
+                    found.unpolarized_transmittance(),
+                ]
+                .map(T::new);
+            },
+        );
+        let refraction = self.refraction.is_some();
+        let behind = refraction
+            .then(|| Refraction::at(&self.film, lambda_nm.into()).behind(wo))
+            .flatten();
+        let transmitted = behind.map_or(T::new(0.0), |_| power[1]);
+        Split {
+            reflected: [power[0]; 3],
+            transmitted: [transmitted; 3],
+            behind,
+        }
+    }
+}
+
 impl<T: Precision> Split<T> {
     #[inline(always)]
     fn new(reflectance: Rgb<f32>, transmittance: Rgb<f32>, behind: Option<(Vec3<T>, T)>) -> Self {
@@ -283,6 +328,66 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
         with_overrides(varying, |overrides| self.split(overrides, wo))
             .and_then(draw)
             .unwrap_or(Direction::none())
+    }
+
+    /// R and T at each wavelength are those of wave optics there. A lobe is chosen by the hero's; the direction of
+    /// refraction is the hero's too, which the others share only where neither half-space disperses.
+    fn sample_spectral(
+        &self,
+        wo: Vec3<T>,
+        u: [T; 3],
+        call: &SpectralCall<T>,
+        found: &mut SpectralValues<T>,
+    ) -> (Direction<T>, bool) {
+        let at = |j: usize| {
+            with_overrides(&call.varying.element(j), |overrides| {
+                self.split_at(overrides, wo, call.lambda_nm[j])
+            })
+        };
+        let Some(split) = at(call.hero) else {
+            return (Direction::none(), false);
+        };
+        let shares = split.choose(call.lobes);
+        let Some(lobe) = only(&chosen_lobe(&shares, u[0])) else {
+            return (Direction::none(), false);
+        };
+        let (wi, eta) = match (lobe, split.behind) {
+            (REFLECTION_LOBE, _) => (wo.mirrored(), T::new(1.0)),
+            (_, Some(behind)) => behind,
+            _ => return (Direction::none(), false),
+        };
+        let mut probabilities = [T::new(0.0); MAX_WAVELENGTHS];
+        let mut is_hero_only = false;
+        for j in 0..call.count {
+            let Some(split) = at(j) else { continue };
+            if lobe == TRANSMISSION_LOBE && split.behind.map(|(_, own)| own) != Some(eta) {
+                is_hero_only = true;
+                continue;
+            }
+            found.value[j] = split.throughput(lobe, call.transport)[0];
+            probabilities[j] = split.choose(call.lobes)[lobe];
+        }
+        let probability = shares[lobe];
+        let hero_value = found.value[call.hero];
+        if is_hero_only {
+            *found = SpectralValues::new();
+            found.value[call.hero] = hero_value / probability;
+        } else {
+            found.weigh(&probabilities, call.count);
+        }
+        let drawn = Direction {
+            wi,
+            pdf: T::new(0.0),
+            weight: [found.value[call.hero]; 3],
+            eta,
+            lobe: T::new(lobe as f64),
+            lobe_probability: probability,
+        };
+        (drawn, is_hero_only)
+    }
+
+    fn film(&self) -> Option<&Film> {
+        Some(&self.film)
     }
 
     fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, lobes: LobeSet) -> Rgb<T> {

@@ -13,7 +13,7 @@ use fearless_simd::prelude::*;
 pub(super) const MAX_LANES: usize = 16;
 
 /// A set of SIMD instructions.
-pub(super) trait Instructions: Simd {
+pub trait Instructions: Simd {
     /// Proves that the processor has the instructions. Lanes exist only in code that [`super::Level::run`]
     /// started, which has checked that.
     const TOKEN: Self;

@@ -7,6 +7,7 @@ mod f64x4;
 mod instructions;
 mod level;
 mod look_up;
+mod quad;
 #[cfg(target_arch = "aarch64")]
 mod register_neon;
 #[cfg(target_arch = "x86_64")]
@@ -17,3 +18,4 @@ mod rgb_lanes;
 pub use dispatch::widest;
 pub use f64x4::F64x4;
 pub use level::{Level, Work};
+pub use quad::F32x4;

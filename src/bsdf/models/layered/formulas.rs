@@ -6,14 +6,12 @@ use super::params::{
     EXPONENT_TRANSMISSION, PHASE_SHIFT, PHASE_SHIFT_HALF_WAVE, SPECULAR_WEIGHT, THICKNESS_NM,
     VARIANT, VARIANT_PAPER,
 };
-use super::terms::{Shapes, SpecularTerms, TermsUsed, Upper, average_transmittance};
+use super::terms::{Shapes, SpecularTerms, TermsUsed, Upper, diffuse_contrast};
 use crate::bsdf::compiled::Compiled;
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
 use crate::num::{Lane, PI, Real, Rgb, Vec3, each};
-use crate::optics::{
-    Interface, RGB_WAVELENGTHS_NM, normal_reflectance, schlick, schlick_transmittance,
-};
+use crate::optics::{RGB_WAVELENGTHS_NM, index_between, schlick, schlick_transmittance};
 
 /// The values of the parameters and what follows from them, for one surface or for one in each lane.
 ///
@@ -116,8 +114,6 @@ impl<T: Lane> LayeredSurface<T> {
         let e1 = values.number(EXPONENT_TRANSMISSION);
         let is_paper = values.choice(VARIANT) == VARIANT_PAPER;
         let is_shifted = values.choice(PHASE_SHIFT) == PHASE_SHIFT_HALF_WAVE;
-        let interface = Interface::new(r0, r1);
-        let average = average_transmittance(r0, r1);
         let wavelengths = T::rgb(RGB_WAVELENGTHS_NM.map(T::new));
         let scale = |exponent: T| {
             if is_paper {
@@ -132,11 +128,7 @@ impl<T: Lane> LayeredSurface<T> {
             values.number(DIFFUSE_WEIGHT),
         );
         let mut surface = Self {
-            upper: Upper {
-                interface,
-                f0: normal_reflectance(r0, r1),
-                compression: interface.ratio_squared(),
-            },
+            upper: Upper::new(r0, r1),
             base: T::rgb(values.rgb(BASE)),
             exponent_reflection: e0,
             exponent_transmission: e1,
@@ -150,7 +142,7 @@ impl<T: Lane> LayeredSurface<T> {
             scale_transmission: scale(e1),
             rho_d: one,
             turns_per_nm: r1 / wavelengths,
-            diffuse_contrast: T::Rgb::new(2.0) * (average * (one - average)).sqrt_positive(),
+            diffuse_contrast: diffuse_contrast(r0, r1),
             thickness_nm: zero,
             phase_shift: T::new(if is_shifted { 0.5 } else { 0.0 }),
             terms_used: TermsUsed {
@@ -174,6 +166,23 @@ impl<T: Lane> LayeredSurface<T> {
         let path = (T::new(2.0) * thickness_nm).gray();
         let turns = self.turns_per_nm * path + self.phase_shift.gray();
         self.rho_d = T::Rgb::new(1.0) + self.diffuse_contrast * turns.cos_turns();
+    }
+
+    /// Takes the index and the phase of one wavelength, nm, in all channels, instead of those of the three wavelengths.
+    #[inline(always)]
+    pub(super) fn move_to(&mut self, lambda_nm: T) {
+        let wavelengths = T::rgb(RGB_WAVELENGTHS_NM.map(T::new));
+        let eta = self.turns_per_nm * wavelengths;
+        let [ambient_eta, ..] = T::channels(eta * self.upper.interface.ratio());
+        let (r0, r1) = (
+            ambient_eta.gray(),
+            index_between(T::channels(eta), lambda_nm).gray(),
+        );
+        self.upper = Upper::new(r0, r1);
+        self.turns_per_nm = r1 / lambda_nm.gray();
+        self.diffuse_contrast = diffuse_contrast(r0, r1);
+        self.terms_used.is_gray = true;
+        self.set_thickness(self.thickness_nm);
     }
 
     #[inline(always)]

@@ -74,6 +74,7 @@ impl Model for Layered {
                 [1.0, 4.0],
                 1.5,
             )
+            .index()
             .fixed(),
             ParamInfo::number("ambient_eta", "Refractive index outside.", [1.0, 4.0], 1.0).fixed(),
             ParamInfo::number(

@@ -19,6 +19,11 @@ impl<T: Lane> Surface<T> for LayeredSurface<T> {
         self.set(param, value);
     }
 
+    #[inline(always)]
+    fn set_wavelength(&mut self, lambda_nm: T) {
+        self.move_to(lambda_nm);
+    }
+
     /// The lobes of the specular part interfere and have the same flags, so they are kept or removed
     /// together.
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! The terms of the layered model: the upper boundary, lobe shapes, and the parts that interfere.
 
 use crate::num::{Lane, Real};
-use crate::optics::Interface;
+use crate::optics::{Interface, normal_reflectance};
 
 /// Which terms and which special cases the values that do not vary lead to.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +27,17 @@ pub(super) struct Upper<C> {
 }
 
 impl<C: Real> Upper<C> {
+    /// The boundary between media of the indices r0 and r1.
+    #[inline(always)]
+    pub fn new(r0: C, r1: C) -> Self {
+        let interface = Interface::new(r0, r1);
+        Self {
+            interface,
+            f0: normal_reflectance(r0, r1),
+            compression: interface.ratio_squared(),
+        }
+    }
+
     /// The boundary of the first channel in all channels. Where all channels are equal, the compiler then
     /// computes one.
     #[inline(always)]
@@ -88,7 +99,15 @@ impl<T: Lane> Shapes<T> {
     }
 }
 
+/// 2 sqrt(T_d (1 - T_d)) of eq. 16.
+#[inline(always)]
+pub(super) fn diffuse_contrast<T: Real>(r0: T, r1: T) -> T {
+    let average = average_transmittance(r0, r1);
+    T::new(2.0) * (average * (T::new(1.0) - average)).sqrt_positive()
+}
+
 /// T_d = 80/21 r0 r1 / (r1 + r0)^2: eq. 13, the complement of eq. 12.
+#[inline(always)]
 pub(super) fn average_transmittance<T: Real>(r0: T, r1: T) -> T {
     T::new(80.0 / 21.0) * r0 * r1 / (r1 + r0).squared()
 }

@@ -48,6 +48,7 @@ impl<T: Precision> Compensation<T> {
         &self,
         alpha: L,
         fresnel: &Fresnel<'_, L>,
+        is_spectral: bool,
     ) -> MultipleScattering<'_, L> {
         let one = L::new(1.0);
         let row = self.energy.row(alpha);
@@ -57,7 +58,12 @@ impl<T: Precision> Compensation<T> {
             ..
         } = row.mean;
         let divisor = lost.max(L::new(LEAST_LOSS));
-        let color = each!(self.average.of(fresnel), |mean| {
+        let average = if is_spectral && !matches!(fresnel, Fresnel::Schlick { .. }) {
+            mean_at_wavelength(fresnel)
+        } else {
+            self.average.of(fresnel)
+        };
+        let color = each!(average, |mean| {
             let sum = mean.squared() * escaping / (one - mean * lost);
             sum / divisor
         });
@@ -156,6 +162,26 @@ fn mean_reflectance<T: Precision>(fresnel: &Fresnel<'_, T>) -> Rgb<T> {
         }
     }
     sum.map(|sum| sum * T::new(1.0 / f64::from(COSINES)))
+}
+
+/// The mean at the wavelength of a spectral call, by a rule of Gauss in the cosine (Abramowitz and Stegun 1964, table 25.4,
+/// n = 8).
+#[inline(always)]
+fn mean_at_wavelength<T: Precision, L: Lane<Scalar = T>>(fresnel: &Fresnel<'_, L>) -> Rgb<L> {
+    const GAUSS: [(f64, f64); 4] = [
+        (0.183_434_642_495_649_8, 0.362_683_783_378_361_98),
+        (0.525_532_409_916_328_99, 0.313_706_645_877_887_29),
+        (0.796_666_477_413_626_74, 0.222_381_034_453_374_47),
+        (0.960_289_856_497_536_23, 0.101_228_536_290_376_26),
+    ];
+    let mut sum = L::new(0.0);
+    for i in 0..2 * GAUSS.len() {
+        let (x, weight) = GAUSS[i / 2];
+        let cosine = 0.5 + if i % 2 == 0 { 0.5 * x } else { -0.5 * x };
+        let [reflectance, ..] = fresnel.reflectance(L::new(cosine));
+        sum = sum + L::new(weight * cosine) * reflectance;
+    }
+    [sum; 3]
 }
 
 /// The distance of the nodes of the table, nm, for ranges of up to 20 um. A fringe of the mean is wider

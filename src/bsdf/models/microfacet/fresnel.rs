@@ -3,11 +3,12 @@
 use super::params::{F0, THICKNESS_NM, THICKNESS_SPREAD_NM};
 use crate::bsdf::precision::Precision;
 use crate::error::Error;
-use crate::film::{Film, FilmDescription};
+use crate::film::{Film, FilmDescription, Ray};
 use crate::num::{Lane, Real, Rgb, each};
+use crate::optics::stack::Side;
 use crate::optics::{
-    ConductorPolynomial, Medium, conductor_reflectance, dielectric_reflectance, schlick_between,
-    schlick_falling,
+    ConductorPolynomial, Medium, conductor_reflectance, dielectric_reflectance, index_between,
+    schlick_between, schlick_falling,
 };
 use std::sync::Arc;
 
@@ -33,6 +34,18 @@ pub(super) enum Fresnel<'a, T: Lane> {
         /// The standard deviation of the thickness; `None` if it is always 0.
         spread_nm: Option<T>,
     },
+    /// The reflectance of a film at one wavelength, by wave optics.
+    Wave {
+        film: &'a Film,
+        thickness_nm: T,
+        lambda_nm: T,
+    },
+}
+
+/// The complex index of facets at 645, 525 and 445 nm.
+pub(super) struct ThreeIndices<T> {
+    pub eta: [T; 3],
+    pub k: [T; 3],
 }
 
 impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
@@ -77,6 +90,40 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
                     channel.max(L::new(0.0)).min(L::new(1.0))
                 })
             }
+            // Spectral calls alone get here, in few lanes.
+            Self::Wave { .. } if L::COUNT > <T::Wavelengths as Lane>::COUNT => [L::new(0.0); 3],
+            Self::Wave {
+                film,
+                thickness_nm,
+                lambda_nm,
+            } => [wave_reflectance(film, cos_theta, thickness_nm, lambda_nm); 3],
+        }
+    }
+
+    /// The Fresnel factor at one vacuum wavelength, nm. `indices` are those of a dielectric or of a conductor without a
+    /// measured spectrum. Schlick's f0 and f90 are what the call gives for the wavelength.
+    #[inline(always)]
+    pub fn at_wavelength(&self, indices: &ThreeIndices<T>, lambda_nm: L) -> Self {
+        let between = |numbers: [T; 3]| {
+            index_between(each!(numbers, |number| L::splat(number)), lambda_nm).gray()
+        };
+        match *self {
+            Self::Dielectric { .. } => Self::Dielectric {
+                eta: between(indices.eta),
+                is_gray: true,
+            },
+            Self::Conductor { .. } | Self::Polynomial(_) => Self::Conductor {
+                eta: between(indices.eta),
+                k: between(indices.k),
+            },
+            Self::Film {
+                film, thickness_nm, ..
+            } => Self::Wave {
+                film,
+                thickness_nm,
+                lambda_nm,
+            },
+            other => other,
         }
     }
 
@@ -94,6 +141,36 @@ impl<T: Precision, L: Lane<Scalar = T>> Fresnel<'_, L> {
         }
     }
 }
+
+/// The reflectance of a film for unpolarised light in each lane, which has a cosine, a thickness and a wavelength.
+#[inline(always)]
+fn wave_reflectance<L: Lane>(film: &Film, cos_theta: L, thickness_nm: L, lambda_nm: L) -> L
+where
+    L::Scalar: Precision,
+{
+    let mut rays = [[L::Scalar::new(0.0); MOST_WAVES]; 3];
+    for (numbers, row) in [cos_theta, thickness_nm, lambda_nm]
+        .into_iter()
+        .zip(&mut rays)
+    {
+        numbers.store(&mut row[..L::COUNT]);
+    }
+    let mut found = [L::Scalar::new(0.0); MOST_WAVES];
+    film.each_response(
+        Side::Ambient,
+        L::COUNT,
+        |i| Ray {
+            cos_theta: rays[0][i].into(),
+            thickness_nm: rays[1][i].into(),
+            wavelength_nm: rays[2][i].into(),
+        },
+        |i, response| found[i] = L::Scalar::new(response.unpolarized_reflectance()),
+    );
+    L::load(&found[..L::COUNT])
+}
+
+/// The most lanes of a spectral call.
+const MOST_WAVES: usize = 4;
 
 /// The compiled Fresnel factor, which owns the film.
 pub(super) enum CompiledFresnel<T: Lane> {
@@ -126,6 +203,14 @@ impl<T: Precision> CompiledFresnel<T> {
             thickness_nm: T::new(0.0),
             spread_nm: None,
         })
+    }
+
+    /// The film, which may be a bare metal.
+    pub fn film(&self) -> Option<&Film> {
+        match self {
+            Self::Film { film, .. } => Some(film),
+            _ => None,
+        }
     }
 
     /// The parts of the plan in words, see [`Kernel::plan`](crate::bsdf::kernel::Kernel::plan).

@@ -1,6 +1,6 @@
 //! The perfect mirror, alpha = 0.
 
-use super::fresnel::CompiledFresnel;
+use super::fresnel::{CompiledFresnel, ThreeIndices};
 use super::masking::Masking;
 use crate::bsdf::call::Transport;
 use crate::bsdf::job::{Direction, with_overrides};
@@ -8,24 +8,48 @@ use crate::bsdf::kernel::Kernel;
 use crate::bsdf::lobes::{LobeSet, MAX_LOBES, PerLobe, first_lobe};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::varying::VaryingValues;
+use crate::bsdf::wavelengths::{SpectralCall, SpectralValues};
+use crate::film::Film;
 use crate::num::{Rgb, Vec3};
 
 /// The compiled mirror.
 pub(super) struct Mirror<T: Precision> {
     pub(super) fresnel: CompiledFresnel<T>,
     pub(super) masking: Masking,
+    pub(super) indices: ThreeIndices<T>,
 }
 
 impl<T: Precision> Mirror<T> {
-    fn reflectance(&self, overrides: &[(usize, [T; 3])], wo: Vec3<T>) -> Rgb<T> {
+    /// The reflectance of the channels or, in all channels, that at a vacuum wavelength in nm.
+    fn reflectance(
+        &self,
+        overrides: &[(usize, [T; 3])],
+        lambda_nm: Option<T>,
+        wo: Vec3<T>,
+    ) -> Rgb<T> {
         let mut fresnel = self.fresnel.fresnel::<T>();
         for (param, value) in overrides {
             fresnel.vary(*param, *value);
+        }
+        if let Some(lambda_nm) = lambda_nm {
+            fresnel = fresnel.at_wavelength(&self.indices, lambda_nm);
         }
         let cos_theta = wo.z.min(T::new(1.0));
         let masking = self.masking.of_mirror(cos_theta);
         let reflectance = fresnel.reflectance(cos_theta);
         reflectance.map(|reflectance| reflectance * masking)
+    }
+}
+
+/// The sample of a mirror.
+fn reflected<T: Precision>(wo: Vec3<T>, weight: Rgb<T>) -> Direction<T> {
+    Direction {
+        wi: wo.mirrored(),
+        pdf: T::new(0.0),
+        weight,
+        eta: T::new(1.0),
+        lobe: T::new(0.0),
+        lobe_probability: T::new(1.0),
     }
 }
 
@@ -38,19 +62,40 @@ impl<T: Precision> Kernel<T> for Mirror<T> {
         _lobes: LobeSet,
         _transport: Transport,
     ) -> Direction<T> {
-        let weight = with_overrides(varying, |overrides| self.reflectance(overrides, wo));
-        weight.map_or(Direction::none(), |weight| Direction {
-            wi: wo.mirrored(),
-            pdf: T::new(0.0),
-            weight,
-            eta: T::new(1.0),
-            lobe: T::new(0.0),
-            lobe_probability: T::new(1.0),
-        })
+        let weight = with_overrides(varying, |overrides| self.reflectance(overrides, None, wo));
+        weight.map_or(Direction::none(), |weight| reflected(wo, weight))
+    }
+
+    fn sample_spectral(
+        &self,
+        wo: Vec3<T>,
+        _u: [T; 3],
+        call: &SpectralCall<T>,
+        found: &mut SpectralValues<T>,
+    ) -> (Direction<T>, bool) {
+        for j in 0..call.count {
+            let lambda_nm = Some(call.lambda_nm[j]);
+            let weight = with_overrides(&call.varying.element(j), |overrides| {
+                self.reflectance(overrides, lambda_nm, wo)[0]
+            });
+            let Some(weight) = weight else {
+                if j == call.hero {
+                    *found = SpectralValues::new();
+                    return (Direction::none(), false);
+                }
+                continue;
+            };
+            found.value[j] = weight;
+        }
+        (reflected(wo, [found.value[call.hero]; 3]), false)
+    }
+
+    fn film(&self) -> Option<&Film> {
+        self.fresnel.film()
     }
 
     fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, _: LobeSet) -> Rgb<T> {
-        with_overrides(varying, |overrides| self.reflectance(overrides, wo))
+        with_overrides(varying, |overrides| self.reflectance(overrides, None, wo))
             .unwrap_or([T::new(0.0); 3])
     }
 

@@ -78,7 +78,7 @@ mod tabulated;
 
 use self::compensation::{Average, Compensation};
 use self::distribution::Distribution;
-use self::fresnel::CompiledFresnel;
+use self::fresnel::{CompiledFresnel, ThreeIndices};
 use self::masking::Masking;
 use self::mirror::Mirror;
 use self::params::{
@@ -173,8 +173,8 @@ impl Model for Microfacet {
             ParamInfo::number("rotation_turns", "Angle from +X to the rougher axis about +Z.", [0.0, 1.0], 0.0).in_unit("turns").used_with(WITH_STRETCH),
             ParamInfo::rgb("f0", "Reflectance at normal incidence, RGB (fresnel schlick).", [0.0, 1.0], 0.04).used_with(WITH_SCHLICK),
             ParamInfo::rgb("f90", "Reflectance at grazing incidence, RGB (fresnel schlick).", [0.0, 1.0], 1.0).fixed().used_with(WITH_SCHLICK),
-            ParamInfo::rgb("eta", "Refractive index, RGB (fresnel dielectric, at least 1, and conductor).", [0.01, 10.0], 1.5).fixed().used_with(WITH_ETA),
-            ParamInfo::rgb("k", "Extinction coefficient, RGB (fresnel conductor).", [0.0, 20.0], 0.0).fixed().used_with(WITH_K),
+            ParamInfo::rgb("eta", "Refractive index, RGB (fresnel dielectric, at least 1, and conductor).", [0.01, 10.0], 1.5).index().fixed().used_with(WITH_ETA),
+            ParamInfo::rgb("k", "Extinction coefficient, RGB (fresnel conductor).", [0.0, 20.0], 0.0).index().fixed().used_with(WITH_K),
             ParamInfo::choice(
                 "metal",
                 "Fresnel conductor: custom takes eta and k, a metal its measured spectrum.",
@@ -220,8 +220,16 @@ impl Model for Microfacet {
     fn prepare<T: Precision>(values: &Values<T>) -> KernelResult<T> {
         let fresnel = fresnel(values)?;
         let masking = Masking::ALL[values.choice(MASKING)];
+        let indices = ThreeIndices {
+            eta: values.rgb(ETA),
+            k: values.rgb(K),
+        };
         if is_mirror(values) {
-            return Ok(Box::new(Mirror { fresnel, masking }));
+            return Ok(Box::new(Mirror {
+                fresnel,
+                masking,
+                indices,
+            }));
         }
         let roughness = Roughness::new(
             values.number(ALPHA),
@@ -244,6 +252,7 @@ impl Model for Microfacet {
             fresnel,
             masking,
             compensation,
+            indices,
         }))
     }
 }

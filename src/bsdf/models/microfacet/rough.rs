@@ -2,7 +2,7 @@
 
 use super::compensation::{Compensation, MultipleScattering};
 use super::distribution::{Distribution, DistributionRef, with_ndf};
-use super::fresnel::{CompiledFresnel, Fresnel};
+use super::fresnel::{CompiledFresnel, Fresnel, ThreeIndices};
 use super::half_vector::{HalfVector, turned};
 use super::masking::Masking;
 use super::ndf::Ndf;
@@ -14,6 +14,7 @@ use crate::bsdf::lobes::{LobeSet, PerLobe, first_lobe, normalized};
 use crate::bsdf::models::power_lobe::mean;
 use crate::bsdf::precision::Precision;
 use crate::bsdf::surface::Surface;
+use crate::film::Film;
 use crate::num::{Lane, Rgb, Vec3, each, warp};
 
 /// The compiled rough surface.
@@ -23,6 +24,8 @@ pub(super) struct Rough<T: Lane> {
     pub(super) fresnel: CompiledFresnel<T>,
     pub(super) masking: Masking,
     pub(super) compensation: Option<Compensation<T>>,
+    /// The indices that spectral calls interpolate, for Fresnel factors that have some.
+    pub(super) indices: ThreeIndices<T>,
 }
 
 impl<T: Precision> Compiled<T> for Rough<T> {
@@ -36,10 +39,16 @@ impl<T: Precision> Compiled<T> for Rough<T> {
             fresnel: self.fresnel.fresnel(),
             masking: self.masking,
             compensation: self.compensation.as_ref(),
+            indices: &self.indices,
+            is_spectral: false,
             multiple: None,
             has_single: true,
             has_multiple: true,
         }
+    }
+
+    fn film(&self) -> Option<&Film> {
+        self.fresnel.film()
     }
 
     fn plan(&self) -> Vec<&'static str> {
@@ -79,6 +88,8 @@ pub(super) struct RoughSurface<'a, T: Lane> {
     fresnel: Fresnel<'a, T>,
     masking: Masking,
     compensation: Option<&'a Compensation<T::Scalar>>,
+    indices: &'a ThreeIndices<T::Scalar>,
+    is_spectral: bool,
     /// The lobe of multiple scattering, if energy is compensated.
     multiple: Option<MultipleScattering<'a, T>>,
     /// Whether each of the two lobes takes part.
@@ -96,6 +107,8 @@ impl<'a, T: Lane> RoughSurface<'a, T> {
             fresnel,
             masking: Masking::Smith,
             compensation: None,
+            indices: self.indices,
+            is_spectral: self.is_spectral,
             multiple: None,
             has_single: true,
             has_multiple: true,
@@ -122,10 +135,17 @@ impl<P: Precision, T: Lane<Scalar = P>> Surface<T> for RoughSurface<'_, T> {
     }
 
     #[inline(always)]
+    fn set_wavelength(&mut self, lambda_nm: T) {
+        self.fresnel = self.fresnel.at_wavelength(self.indices, lambda_nm);
+        self.is_spectral = true;
+    }
+
+    #[inline(always)]
     fn finish_vary(&mut self) {
         if let Some(compensation) = self.compensation {
-            self.multiple =
-                Some(compensation.multiple_scattering(self.roughness.alpha, &self.fresnel));
+            let alpha = self.roughness.alpha;
+            let multiple = compensation.multiple_scattering(alpha, &self.fresnel, self.is_spectral);
+            self.multiple = Some(multiple);
         }
     }
 
