@@ -16,9 +16,9 @@ using support::quiet_nan;
 using support::Strided;
 using support::Untouched;
 
-const pellicle::Float3 up{0.0f, 0.0f, 1.0f};
-const pellicle::Float3 slanted{0.0f, 0.6f, 0.8f};
-const pellicle::Float3 halves{0.5f, 0.5f, 0.5f};
+const support::Vec3 up{0.0f, 0.0f, 1.0f};
+const support::Vec3 slanted{0.0f, 0.6f, 0.8f};
+const support::Vec3 halves{0.5f, 0.5f, 0.5f};
 constexpr float pi = 3.14159265f;
 
 pellicle::Bsdf colored_lambert() {
@@ -69,7 +69,7 @@ TEST_CASE("spectral: refraction by glass follows the hero alone") {
     for (std::size_t hero = 0; hero < 3; ++hero) {
         CAPTURE(hero);
         float weight[3], pdf[3];
-        const pellicle::Float3 late{0.99f, 0.5f, 0.5f};
+        const support::Vec3 late{0.99f, 0.5f, 0.5f};
         const auto refracted = bsdf.sample_spectral(slanted, late, lambda_nm, 3, hero, weight, pdf);
         REQUIRE_EQ(refracted.flags, PELLICLE_TRANSMISSION | PELLICLE_DELTA);
         CHECK_EQ(refracted.hero_only, 1);
@@ -81,7 +81,7 @@ TEST_CASE("spectral: refraction by glass follows the hero alone") {
             const double expected = j == hero ? 1.0 / (index[hero] * index[hero]) : 0.0;
             CHECK_EQ(weight[j], doctest::Approx(expected).epsilon(1e-4).scale(1.0));
         }
-        const pellicle::Float3 early{0.001f, 0.5f, 0.5f};
+        const support::Vec3 early{0.001f, 0.5f, 0.5f};
         const auto reflected = bsdf.sample_spectral(slanted, early, lambda_nm, 3, hero, weight, pdf);
         REQUIRE_EQ(reflected.flags, PELLICLE_REFLECTION | PELLICLE_DELTA);
         CHECK_EQ(reflected.hero_only, 0);
@@ -174,8 +174,8 @@ TEST_CASE("spectral: bad directions and values give 0 and do not disturb other w
     CHECK_EQ(value[1], 0.0f);
     CHECK_EQ(pdf[1], 0.0f);
     CHECK_EQ(value[0], value[2]);
-    const pellicle::Float3 below{0.0f, 0.6f, -0.8f}, nothing{0.0f, quiet_nan, 0.0f};
-    for (const pellicle::Float3 &bad : {below, nothing}) {
+    const support::Vec3 below{0.0f, 0.6f, -0.8f}, nothing{0.0f, quiet_nan, 0.0f};
+    for (const support::Vec3 &bad : {below, nothing}) {
         bsdf.eval_spectral(bad, slanted, lambda_nm, 3, value, pdf);
         for (int j = 0; j < 3; ++j) CHECK_EQ(value[j] + pdf[j], 0.0f);
         const auto sample = bsdf.sample_spectral(bad, halves, lambda_nm, 3, 0, value, pdf);
@@ -244,7 +244,7 @@ TEST_CASE("spectral: batches equal single calls in every layout") {
             bool equal = true;
             for (std::size_t i = 0; i < count; ++i) {
                 const auto vector = [&](const Strided &from) {
-                    return pellicle::Float3{from.get(i, 0), from.get(i, 1), from.get(i, 2)};
+                    return support::Vec3{from.get(i, 0), from.get(i, 1), from.get(i, 2)};
                 };
                 float nm[lambdas], numbers[lambdas + 1], single[4][lambdas];
                 for (std::size_t c = 0; c < lambdas; ++c) nm[c] = lambda_nm.get(i, c), numbers[c] = color.get(i, c);
