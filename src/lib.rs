@@ -82,9 +82,9 @@ pub mod num;
 pub mod optics;
 
 pub use bsdf::{
-    Bsdf, Call, Choice, Description, Evaluation, Exception, Flags, LobeInfo, MAX_WAVELENGTHS,
-    ModelInfo, ParamInfo, ParamKind, Precision, Sample, SpectralSample, Transport, Varying,
-    model_infos,
+    AtWavelengths, Bsdf, Call, Choice, Description, Evaluation, Exception, Flags, LobeInfo,
+    MAX_WAVELENGTHS, ModelInfo, ParamInfo, ParamKind, Precision, Sample, SpectralSample, Transport,
+    Varying, model_infos,
 };
 pub use error::{Error, Status};
 pub use film::{BaseOpacity, Colors, Film, FilmDescription, FilmLayer, FilmPlan, METHODS};

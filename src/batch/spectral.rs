@@ -1,7 +1,7 @@
 //! Batches of spectral calls, over elements and wavelengths.
 
 use super::view::{ConstView, View, check_reach};
-use crate::bsdf::{Bsdf, Call, MAX_VARYING, MAX_WAVELENGTHS};
+use crate::bsdf::{AtWavelengths, Bsdf, Call, MAX_VARYING, MAX_WAVELENGTHS};
 use crate::error::Error;
 
 /// The most numbers that the varying parameters of an element have together.
@@ -97,9 +97,8 @@ pub unsafe fn eval_spectral(bsdf: &Bsdf, args: &EvalSpectralArgs) -> Result<(), 
             bsdf.eval_spectral(
                 element.wo.into(),
                 vector(wi, i).into(),
-                element.varying,
+                &element.at,
                 &inputs.call,
-                element.lambda_nm,
                 &mut values[..used],
                 &mut densities[..used],
             )?;
@@ -151,10 +150,8 @@ pub unsafe fn sample_spectral(bsdf: &Bsdf, args: &SampleSpectralArgs) -> Result<
             let sample = bsdf.sample_spectral(
                 element.wo.into(),
                 vector(&args.u, i).into(),
-                element.varying,
+                &element.at,
                 &inputs.call,
-                element.lambda_nm,
-                args.hero,
                 &mut weights[..used],
                 &mut densities[..used],
             )?;
@@ -174,8 +171,7 @@ pub unsafe fn sample_spectral(bsdf: &Bsdf, args: &SampleSpectralArgs) -> Result<
 /// The inputs of one element, as single calls take them.
 struct Element<'a> {
     wo: [f32; 3],
-    lambda_nm: &'a [f32],
-    varying: Option<&'a [f32]>,
+    at: AtWavelengths<'a>,
 }
 
 impl SpectralInputs<'_> {
@@ -247,8 +243,11 @@ impl SpectralInputs<'_> {
                 }
                 let element = Element {
                     wo: vector(&self.wo, i),
-                    lambda_nm: &lambda_nm[..used],
-                    varying: (!self.varying.is_empty()).then_some(&numbers[..floats]),
+                    at: AtWavelengths {
+                        lambda_nm: &lambda_nm[..used],
+                        hero,
+                        varying: (!self.varying.is_empty()).then_some(&numbers[..floats]),
+                    },
                 };
                 f(i, element)?;
             }

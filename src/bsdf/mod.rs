@@ -31,7 +31,7 @@ pub(crate) use job::{EvalJob, SampleJob};
 pub use lobes::{MAX_LOBES, PerLobe};
 pub use precision::Precision;
 pub use registry::{RegisteredModel, find, model_infos, models};
-pub use spectral::SpectralSample;
+pub use spectral::{AtWavelengths, SpectralSample};
 pub use values::{Bounds, Values};
 pub(crate) use varying::MAX_VARYING;
 pub use wavelengths::MAX_WAVELENGTHS;

@@ -18,6 +18,19 @@ use super::wavelengths::{MAX_WAVELENGTHS, PerWavelength, SpectralCall, SpectralV
 use crate::error::Error;
 use std::fmt::Display;
 
+/// The wavelengths of a call, and what is given for each of them.
+#[derive(Clone, Copy, Debug)]
+pub struct AtWavelengths<'a, T: Precision = f32> {
+    /// Vacuum wavelengths, nm: 1 to [`MAX_WAVELENGTHS`] numbers above 0 and, without `extrapolate` in the film's
+    /// description, within the range of its media.
+    pub lambda_nm: &'a [T],
+    /// The number of the wavelength that directions are sampled for. Evaluations do not use it.
+    pub hero: usize,
+    /// As in [`Bsdf::eval`], but colours have one number for each wavelength, see
+    /// [`Bsdf::spectral_varying_floats`]; with `None` every parameter has its default.
+    pub varying: Option<&'a [T]>,
+}
+
 /// A direction sampled for a wavelength, the hero. Without a valid sample every field is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectralSample<T: Precision = f32> {
@@ -48,29 +61,25 @@ impl<T: Precision> Bsdf<T> {
         self.varying().map(|varying| numbers(varying.param)).sum()
     }
 
-    /// f(wo, wi) |wi.z| at vacuum wavelengths, nm, and for each the density of wi as if it had been the hero.
+    /// f(wo, wi) |wi.z| at each wavelength, and for each the density of wi as if it had been the hero.
     ///
-    /// `lambda_nm`: 1 to [`MAX_WAVELENGTHS`] numbers above 0 and, without `extrapolate` in the film's description, within
-    /// the range of its media. `varying`: as in [`Bsdf::eval`], but colours have one number for each wavelength, see
-    /// [`Bsdf::spectral_varying_floats`]; with `None` every parameter has its default. `value` and `pdf` have the length
-    /// of `lambda_nm`. Films and media are evaluated by wave optics at each wavelength, refractive indices given at three
-    /// wavelengths are interpolated, and nothing is clipped to a colour space.
+    /// `value` and `pdf` have the length of `lambda_nm`. Films and media are evaluated by wave optics at each wavelength,
+    /// refractive indices given at three wavelengths are interpolated, and nothing is clipped to a colour space.
     ///
     /// # Errors
-    /// `InvalidArgument` (a wrong length), `OutOfRange` (a wavelength) or `Unsupported`: a colour with three different
-    /// numbers that does not vary, or a spread of thickness. Nothing is then written.
+    /// `InvalidArgument` (a wrong length), `OutOfRange` (a wavelength, the hero) or `Unsupported`: a colour with three
+    /// different numbers that does not vary, or a spread of thickness. Nothing is then written.
     pub fn eval_spectral(
         &self,
         wo: T::Vector,
         wi: T::Vector,
-        varying: Option<&[T]>,
+        at: &AtWavelengths<T>,
         call: &Call,
-        lambda_nm: &[T],
         value: &mut [T],
         pdf: &mut [T],
     ) -> Result<(), Error> {
         let mut room = SpectralRoom::new();
-        let spectral = self.spectral_call(varying, call, lambda_nm, 0, &mut room)?;
+        let spectral = self.spectral_call(at, call, &mut room)?;
         check_lengths(spectral.count, [("value", value.len()), ("pdf", pdf.len())])?;
         let mut found = SpectralValues::new();
         if let (Some(wo), Some(wi)) = (self.direction(wo), self.direction(wi))
@@ -83,28 +92,26 @@ impl<T: Precision> Bsdf<T> {
         Ok(())
     }
 
-    /// Samples a direction for wavelength number `hero`. `weight` receives value / mean of the densities for each
-    /// wavelength, for a DELTA lobe the throughput over the mean of the probabilities; `pdf` the densities as if each had
-    /// been the hero, 0 for a DELTA lobe. The other arguments are those of [`Bsdf::eval_spectral`] and [`Bsdf::sample`].
+    /// Samples a direction for the hero. `weight` receives value / mean of the densities for each wavelength, for a
+    /// DELTA lobe the throughput over the mean of the probabilities; `pdf` the densities as if each had been the hero, 0
+    /// for a DELTA lobe. `u` is as for [`Bsdf::sample`].
     ///
     /// The weights suit a renderer that draws the hero anew for every call, each wavelength as often as any other. One
     /// that keeps the hero along a path multiplies values and densities along it, and divides by the mean of the products.
     ///
     /// # Errors
-    /// As for [`Bsdf::eval_spectral`]; `OutOfRange` for `hero`.
+    /// As for [`Bsdf::eval_spectral`].
     pub fn sample_spectral(
         &self,
         wo: T::Vector,
         u: T::Vector,
-        varying: Option<&[T]>,
+        at: &AtWavelengths<T>,
         call: &Call,
-        lambda_nm: &[T],
-        hero: usize,
         weight: &mut [T],
         pdf: &mut [T],
     ) -> Result<SpectralSample<T>, Error> {
         let mut room = SpectralRoom::new();
-        let spectral = self.spectral_call(varying, call, lambda_nm, hero, &mut room)?;
+        let spectral = self.spectral_call(at, call, &mut room)?;
         let lengths = [("weight", weight.len()), ("pdf", pdf.len())];
         check_lengths(spectral.count, lengths)?;
         let u: [T; 3] = u.into();
@@ -132,12 +139,15 @@ impl<T: Precision> Bsdf<T> {
     /// Checks a call and lays its numbers out by wavelength.
     fn spectral_call<'a>(
         &'a self,
-        varying: Option<&[T]>,
+        at: &AtWavelengths<T>,
         call: &Call,
-        lambda_nm: &[T],
-        hero: usize,
         room: &'a mut SpectralRoom<'a, T>,
     ) -> Result<SpectralCall<'a, T>, Error> {
+        let AtWavelengths {
+            lambda_nm,
+            hero,
+            varying,
+        } = *at;
         let count = lambda_nm.len();
         self.check_wavelength_count(count, hero)?;
         for (i, nm) in lambda_nm.iter().enumerate() {

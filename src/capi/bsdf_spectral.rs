@@ -12,7 +12,7 @@ use super::c_types::size_t;
 use super::call::call_options;
 use super::types::{PellicleBsdf, PellicleCall, PellicleStatus};
 use crate::batch::{self, ConstView, EvalSpectralArgs, SampleSpectralArgs, SpectralInputs};
-use crate::bsdf::{Bsdf, MAX_VARYING, MAX_WAVELENGTHS};
+use crate::bsdf::{AtWavelengths, Bsdf, MAX_VARYING, MAX_WAVELENGTHS};
 use crate::error::Error;
 
 /// The most numbers that varying parameters have together in a spectral call.
@@ -60,15 +60,7 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_spectral(
             let call = call_options(call)?;
             let [mut values, mut densities] = [[0.0; MAX_WAVELENGTHS]; 2];
             let (values, densities) = (&mut values[..lambda_count], &mut densities[..lambda_count]);
-            bsdf.eval_spectral(
-                wo,
-                wi,
-                inputs.varying(),
-                &call,
-                inputs.lambda_nm(),
-                values,
-                densities,
-            )?;
+            bsdf.eval_spectral(wo, wi, &inputs.at(0), &call, values, densities)?;
             write(value, values);
             write(pdf, densities);
         }
@@ -116,16 +108,7 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_spectral(
             let [mut weights, mut densities] = [[0.0; MAX_WAVELENGTHS]; 2];
             let (weights, densities) =
                 (&mut weights[..lambda_count], &mut densities[..lambda_count]);
-            let drawn = bsdf.sample_spectral(
-                wo,
-                u,
-                inputs.varying(),
-                &call,
-                inputs.lambda_nm(),
-                hero,
-                weights,
-                densities,
-            )?;
+            let drawn = bsdf.sample_spectral(wo, u, &inputs.at(hero), &call, weights, densities)?;
             write(weight, weights);
             write(pdf, densities);
             let filled = PellicleSpectralSample {
@@ -261,12 +244,12 @@ impl Inputs {
         Ok(inputs)
     }
 
-    fn lambda_nm(&self) -> &[f32] {
-        &self.lambda_nm[..self.lambda_count]
-    }
-
-    fn varying(&self) -> Option<&[f32]> {
-        self.floats.map(|floats| &self.numbers[..floats])
+    fn at(&self, hero: usize) -> AtWavelengths<'_> {
+        AtWavelengths {
+            lambda_nm: &self.lambda_nm[..self.lambda_count],
+            hero,
+            varying: self.floats.map(|floats| &self.numbers[..floats]),
+        }
     }
 }
 

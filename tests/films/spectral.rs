@@ -8,7 +8,9 @@ use glam::{DVec3, Vec3};
 use pellicle::bsdf::Flags;
 use pellicle::film::{Film, FilmDescription};
 use pellicle::optics::{ChannelWeights, ColorSpace, White};
-use pellicle::{Bsdf, Call, Description, Medium, SpectralSample, Status, Transport};
+use pellicle::{
+    AtWavelengths, Bsdf, Call, Description, Medium, Precision, SpectralSample, Status, Transport,
+};
 use std::sync::Arc;
 
 /// The visible wavelengths in steps of 1 nm, with their share in each channel of a perfect mirror.
@@ -24,6 +26,18 @@ fn visible() -> Vec<(f64, [f64; 3])> {
         .collect()
 }
 
+fn at<'a, T: Precision>(
+    lambda_nm: &'a [T],
+    hero: usize,
+    varying: Option<&'a [T]>,
+) -> AtWavelengths<'a, T> {
+    AtWavelengths {
+        lambda_nm,
+        hero,
+        varying,
+    }
+}
+
 /// The colour of the values at all visible wavelengths.
 fn in_rgb(bsdf: &Bsdf<f64>, wo: DVec3, wi: DVec3, varying: Option<&[f64]>) -> [f64; 3] {
     let mut rgb = [0.0; 3];
@@ -31,7 +45,7 @@ fn in_rgb(bsdf: &Bsdf<f64>, wo: DVec3, wi: DVec3, varying: Option<&[f64]>) -> [f
         let nm: Vec<f64> = group.iter().map(|(nm, _)| *nm).collect();
         let (mut value, mut pdf) = (vec![0.0; nm.len()], vec![0.0; nm.len()]);
         let call = Call::default();
-        bsdf.eval_spectral(wo, wi, varying, &call, &nm, &mut value, &mut pdf)
+        bsdf.eval_spectral(wo, wi, &at(&nm, 0, varying), &call, &mut value, &mut pdf)
             .unwrap();
         for ((_, weight), value) in group.iter().zip(value) {
             for channel in 0..3 {
@@ -119,7 +133,14 @@ fn sample(
 ) -> (SpectralSample<f64>, Vec<f64>) {
     let (mut weight, mut pdf) = (vec![0.0; lambda_nm.len()], vec![0.0; lambda_nm.len()]);
     let sample = bsdf
-        .sample_spectral(wo, u, None, call, lambda_nm, hero, &mut weight, &mut pdf)
+        .sample_spectral(
+            wo,
+            u,
+            &at(lambda_nm, hero, None),
+            call,
+            &mut weight,
+            &mut pdf,
+        )
         .unwrap();
     (sample, weight)
 }
@@ -245,7 +266,14 @@ fn what_has_no_spectrum_is_refused() {
     let mut status = |description: Description, nm: f32| {
         let bsdf: Bsdf = Bsdf::new(&description).unwrap();
         let call = Call::default();
-        let result = bsdf.eval_spectral(Vec3::Z, Vec3::Z, None, &call, &[nm], &mut value, &mut pdf);
+        let result = bsdf.eval_spectral(
+            Vec3::Z,
+            Vec3::Z,
+            &at(&[nm], 0, None),
+            &call,
+            &mut value,
+            &mut pdf,
+        );
         result.err().map(|error| (error.status, error.message))
     };
     let rough = || {
@@ -281,8 +309,15 @@ fn energy_is_compensated_at_each_wavelength() {
         let [rgb, ..] = bsdf.value(wo, wi, None);
         let (mut value, mut pdf) = ([0.0; 2], [0.0; 2]);
         let nm = [450.0, 650.0];
-        bsdf.eval_spectral(wo, wi, None, &Call::default(), &nm, &mut value, &mut pdf)
-            .unwrap();
+        bsdf.eval_spectral(
+            wo,
+            wi,
+            &at(&nm, 0, None),
+            &Call::default(),
+            &mut value,
+            &mut pdf,
+        )
+        .unwrap();
         assert!((value[0] / rgb - 1.0).abs() < 2e-3, "{value:?} {rgb}");
         assert!((value[1] / rgb - 1.0).abs() < 2e-3);
     }

@@ -12,7 +12,7 @@ use pellicle::batch::{
     sample_spectral,
 };
 use pellicle::bsdf::{MAX_WAVELENGTHS, ParamKind, Precision, RegisteredModel, models};
-use pellicle::{Bsdf, Call, Status};
+use pellicle::{AtWavelengths, Bsdf, Call, Status};
 use rand::Rng;
 use rand::RngExt;
 
@@ -126,9 +126,12 @@ impl<T: Precision> Spectral<T> {
         bsdf.eval_spectral(
             vector::<T>(wo),
             vector::<T>(wi),
-            Some(&in_precision(varying)),
+            &AtWavelengths {
+                lambda_nm: &lambda_nm.iter().map(|nm| T::new(*nm)).collect::<Vec<_>>(),
+                hero: 0,
+                varying: Some(&in_precision(varying)),
+            },
             &Call::default(),
-            &lambda_nm.iter().map(|nm| T::new(*nm)).collect::<Vec<_>>(),
             &mut found.value,
             &mut found.pdf,
         )?;
@@ -262,8 +265,8 @@ fn a_density_is_that_of_a_gray_surface_with_the_colour_of_its_wavelength() {
                         Spectral::of(&case.double, [pair[0], sample.wi], &numbers, &lambda_nm);
                     let there = there.unwrap();
                     let mean = there.pdf.iter().sum::<f64>() / count as f64;
-                    for j in 0..count {
-                        assert!(is_close(weight[j], there.value[j] / mean, 1e-6));
+                    for (weight, value) in weight.iter().zip(&there.value) {
+                        assert!(is_close(*weight, value / mean, 1e-6));
                     }
                 }
             }
@@ -287,10 +290,12 @@ fn sampled<T: Precision>(
     let sample = bsdf.sample_spectral(
         vector::<T>(wo),
         vector::<T>(u),
-        Some(&varying),
+        &AtWavelengths {
+            lambda_nm: &lambda_nm,
+            hero,
+            varying: Some(&varying),
+        },
         &Call::default(),
-        &lambda_nm,
-        hero,
         &mut weight,
         &mut pdf,
     );

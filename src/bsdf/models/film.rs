@@ -358,14 +358,14 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
         };
         let mut probabilities = [T::new(0.0); MAX_WAVELENGTHS];
         let mut is_hero_only = false;
-        for j in 0..call.count {
+        for (j, probability) in probabilities[..call.count].iter_mut().enumerate() {
             let Some(split) = at(j) else { continue };
             if lobe == TRANSMISSION_LOBE && split.behind.map(|(_, own)| own) != Some(eta) {
                 is_hero_only = true;
                 continue;
             }
             found.value[j] = split.throughput(lobe, call.transport)[0];
-            probabilities[j] = split.choose(call.lobes)[lobe];
+            *probability = split.choose(call.lobes)[lobe];
         }
         let probability = shares[lobe];
         let hero_value = found.value[call.hero];
