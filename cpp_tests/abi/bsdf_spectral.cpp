@@ -76,9 +76,9 @@ TEST_CASE("spectral: refraction by glass follows the hero alone") {
         CHECK_EQ(refracted.wi[1], doctest::Approx(-0.6 / index[hero]).epsilon(1e-5));
         CHECK_EQ(refracted.eta, doctest::Approx(index[hero]).epsilon(1e-5));
         for (std::size_t j = 0; j < 3; ++j) {
-            CHECK_EQ(pdf[j], 0.0f);
-            // The hero's weight is T / p of its own, and p is T as nothing absorbs.
-            const double expected = j == hero ? 1.0 / (index[hero] * index[hero]) : 0.0;
+            CHECK_EQ(pdf[j], j == hero ? refracted.lobe_probability : 0.0f);
+            // T / p is 1 as nothing absorbs, radiance falls by the square of the index, and the hero counts for all.
+            const double expected = j == hero ? 3.0 / (index[hero] * index[hero]) : 0.0;
             CHECK_EQ(weight[j], doctest::Approx(expected).epsilon(1e-4).scale(1.0));
         }
         const support::Vec3 early{0.001f, 0.5f, 0.5f};

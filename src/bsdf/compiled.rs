@@ -279,8 +279,7 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         let drawn = sample(&surface, call.lobes, is_usable, wo, u);
         if drawn.pdf > T::new(0.0) {
             self.eval_spectral(wo, drawn.wi, call, found);
-            let densities = found.pdf;
-            found.weigh(&densities, call.count);
+            found.weigh(call.count);
         }
         (drawn, false)
     }

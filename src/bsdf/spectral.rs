@@ -45,8 +45,7 @@ pub struct SpectralSample<T: Precision = f32> {
     /// The probability with which the hero chose that lobe.
     pub lobe_probability: T,
     /// Whether only the hero goes in this direction: a medium disperses, and the ray was refracted. The other
-    /// wavelengths have weight and density 0, and the hero's weight is divided by its own probability alone. The
-    /// renderer then ends the other wavelengths of the path, and counts the hero as often as there were wavelengths.
+    /// wavelengths have weight and density 0, and the hero's weight counts for all of them.
     pub is_hero_only: bool,
 }
 
@@ -92,12 +91,13 @@ impl<T: Precision> Bsdf<T> {
         Ok(())
     }
 
-    /// Samples a direction for the hero. `weight` receives value / mean of the densities for each wavelength, for a
-    /// DELTA lobe the throughput over the mean of the probabilities; `pdf` the densities as if each had been the hero, 0
-    /// for a DELTA lobe. `u` is as for [`Bsdf::sample`].
+    /// Samples a direction for the hero. `pdf` receives the densities as if each wavelength had been the hero; for a DELTA
+    /// lobe the probabilities of choosing it. `weight` receives value / mean of `pdf`, for a DELTA lobe throughput / mean
+    /// of `pdf`. `u` is as for [`Bsdf::sample`].
     ///
     /// The weights suit a renderer that draws the hero anew for every call, each wavelength as often as any other. One
-    /// that keeps the hero along a path multiplies values and densities along it, and divides by the mean of the products.
+    /// that keeps the hero along a path multiplies the values, weight times mean of `pdf`, and the densities along it, and
+    /// divides by the mean of the products; once the hero is alone it calls with that wavelength only.
     ///
     /// # Errors
     /// As for [`Bsdf::eval_spectral`].

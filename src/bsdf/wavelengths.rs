@@ -33,7 +33,7 @@ pub struct SpectralCall<'a, T> {
 pub struct SpectralValues<T> {
     /// f |wi.z|; of a sample value / mean of the densities.
     pub value: PerWavelength<T>,
-    /// The density of wi as if the wavelength had been the hero.
+    /// The density of wi as if the wavelength had been the hero; of a Dirac lobe the probability of choosing it.
     pub pdf: PerWavelength<T>,
 }
 
@@ -47,11 +47,11 @@ impl<T: Real> SpectralValues<T> {
         }
     }
 
-    /// Divides the values by the mean of the densities, or of whatever `shares` has, over `count` wavelengths.
-    pub fn weigh(&mut self, shares: &PerWavelength<T>, count: usize) {
+    /// Makes values weights: divides them by the mean of the densities over `count` wavelengths.
+    pub fn weigh(&mut self, count: usize) {
         let mut sum = T::new(0.0);
-        for share in &shares[..count] {
-            sum = sum + *share;
+        for density in &self.pdf[..count] {
+            sum = sum + *density;
         }
         let mean = sum / T::new(count as f64);
         for value in &mut self.value[..count] {

@@ -71,11 +71,12 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_spectral(
 /// Samples a direction to the light for wavelength number `hero`, and finds for every wavelength the weight and the
 /// density that it would have as the hero.
 ///
-/// `weight`: `lambda_count` numbers, value / mean of the densities of all wavelengths; for a DELTA lobe the throughput
-/// over the mean of the probabilities. `pdf`: `lambda_count` numbers, 0 for a DELTA lobe. Either may be NULL if it is
-/// not wanted. The weights suit a renderer that draws the hero anew for every call, each wavelength as often as any
-/// other. One that keeps the hero along a path multiplies values and densities along it, and divides by the mean of the
-/// products. `sample` as in pellicle_bsdf_sample(); the rest as in pellicle_bsdf_eval_spectral().
+/// `pdf`: `lambda_count` numbers, the densities; for a DELTA lobe the probabilities of choosing it. `weight`:
+/// `lambda_count` numbers, value / mean of `pdf`; for a DELTA lobe throughput / mean of `pdf`. Either may be NULL if it
+/// is not wanted. The weights suit a renderer that draws the hero anew for every call, each wavelength as often as any
+/// other. One that keeps the hero along a path multiplies the values, weight times mean of `pdf`, and the densities along
+/// it, and divides by the mean of the products. `sample` as in pellicle_bsdf_sample(); the rest as in
+/// pellicle_bsdf_eval_spectral().
 ///
 /// # Safety
 /// `bsdf` must be NULL (refused) or a live handle, the arrays as long as stated, `call` good for its size,

@@ -145,8 +145,8 @@ pub struct PellicleSpectralSample {
     /// Probability with which the hero chose that lobe among the lobes of the call.
     pub lobe_probability: f32,
     /// 1 if the hero alone goes in this direction, because a medium disperses and the ray was refracted; else 0. The
-    /// other wavelengths have weight and density 0, and the hero's weight is divided by its own probability alone: end
-    /// the other wavelengths of the path, and count the hero as often as there were wavelengths.
+    /// other wavelengths have weight and density 0, and the hero's weight counts for all of them: it is divided by the
+    /// mean of the densities like any other. A path goes on with that wavelength alone.
     pub hero_only: u32,
 }
 

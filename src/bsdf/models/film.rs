@@ -41,7 +41,7 @@ use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
 use crate::bsdf::varying::VaryingValues;
-use crate::bsdf::wavelengths::{MAX_WAVELENGTHS, SpectralCall, SpectralValues};
+use crate::bsdf::wavelengths::{SpectralCall, SpectralValues};
 use crate::film::{DIRECTION_NM, Film, MAX_THICKNESS_NM, Ray};
 use crate::num::{Real, Rgb, Vec3};
 use crate::optics::Interface;
@@ -356,32 +356,29 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
             (_, Some(behind)) => behind,
             _ => return (Direction::none(), false),
         };
-        let mut probabilities = [T::new(0.0); MAX_WAVELENGTHS];
         let mut is_hero_only = false;
-        for (j, probability) in probabilities[..call.count].iter_mut().enumerate() {
+        for j in 0..call.count {
             let Some(split) = at(j) else { continue };
             if lobe == TRANSMISSION_LOBE && split.behind.map(|(_, own)| own) != Some(eta) {
                 is_hero_only = true;
                 continue;
             }
             found.value[j] = split.throughput(lobe, call.transport)[0];
-            *probability = split.choose(call.lobes)[lobe];
+            found.pdf[j] = split.choose(call.lobes)[lobe];
         }
-        let probability = shares[lobe];
-        let hero_value = found.value[call.hero];
         if is_hero_only {
+            let (value, probability) = (found.value[call.hero], found.pdf[call.hero]);
             *found = SpectralValues::new();
-            found.value[call.hero] = hero_value / probability;
-        } else {
-            found.weigh(&probabilities, call.count);
+            (found.value[call.hero], found.pdf[call.hero]) = (value, probability);
         }
+        found.weigh(call.count);
         let drawn = Direction {
             wi,
             pdf: T::new(0.0),
             weight: [found.value[call.hero]; 3],
             eta,
             lobe: T::new(lobe as f64),
-            lobe_probability: probability,
+            lobe_probability: shares[lobe],
         };
         (drawn, is_hero_only)
     }

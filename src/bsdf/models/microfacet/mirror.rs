@@ -85,8 +85,9 @@ impl<T: Precision> Kernel<T> for Mirror<T> {
                 }
                 continue;
             };
-            found.value[j] = weight;
+            (found.value[j], found.pdf[j]) = (weight, T::new(1.0));
         }
+        found.weigh(call.count);
         (reflected(wo, [found.value[call.hero]; 3]), false)
     }
 
