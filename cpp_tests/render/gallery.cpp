@@ -2,7 +2,6 @@
 
 #include "chart.hpp"
 #include "cube_map.hpp"
-#include "prism.hpp"
 #include "progress.hpp"
 #include "render.hpp"
 #include "scenes.hpp"
@@ -24,10 +23,6 @@ namespace fs = std::filesystem;
 constexpr const char *mapsDirectory = "maps";
 
 constexpr int chartWidth = 500, chartHeight = 250;
-
-constexpr const char *prismName = "prism";
-constexpr const char *prismCaption = "White light through a prism of SF11\nspectral calls, from the lamp";
-constexpr float prismExposure = 1.5f;
 
 /// Without --all and --scene: a first look in less than a minute. The hero is 640 x 360.
 struct FirstLook {
@@ -62,7 +57,6 @@ struct Job {
 struct Choice {
     std::vector<Job> jobs;
     std::vector<Chart> charts;
-    bool prism = false;
 };
 
 /// The scenes of `all` that are named, each name crossed off.
@@ -87,9 +81,6 @@ Choice choose(const Options &options) {
                 choice.jobs.push_back({chapter, *options.size, *options.samplesPerPixel, true});
         }
         choice.charts = options.all ? charts() : named(charts(), names);
-        const auto rest = std::remove(names.begin(), names.end(), prismName);
-        choice.prism = options.all || rest != names.end();
-        names.erase(rest, names.end());
         if (!names.empty())
             throw std::runtime_error("there is no scene \"" + names.front() + "\"; --list shows those there are");
         return choice;
@@ -134,12 +125,11 @@ public:
             writeSheet(job.chapter.name, section);
         }
         drawCharts(progress);
-        drawPrism(progress);
     }
 
 private:
     double totalWork() const {
-        double work = static_cast<double>(choice_.charts.size() + choice_.prism);
+        double work = static_cast<double>(choice_.charts.size());
         for (const Job &job : choice_.jobs)
             for (const Scene &scene : job.chapter.scenes)
                 for (const V2f &extent : scene.views.extents) {
@@ -224,20 +214,6 @@ private:
         writeSheet("newton", section);
     }
 
-    void drawPrism(Progress &progress) {
-        if (!choice_.prism) return;
-        progress.label(prismName);
-        const OIIO::ImageBuf linear = prismPicture({});
-        const OIIO::ImageBuf shown = displayed(linear, prismExposure);
-        const std::string name = prismName;
-        writeExr(linear, options_.out / (name + ".exr"));
-        writePng(shown, options_.out / (name + ".png"));
-        std::printf("%s\n", (options_.out / (name + ".png")).c_str());
-        progress.advance(1);
-        const float aspect = static_cast<float>(shown.spec().height) / static_cast<float>(shown.spec().width);
-        writeSheet(name, {1, aspect, {{prismCaption, {shown}, {}, {}}}});
-    }
-
     const Options &options_;
     const Choice choice_;
     const Subject subject_;
@@ -251,7 +227,6 @@ void listGallery() {
     for (const Chapter &chapter : chapters())
         for (const Scene &scene : chapter.scenes) list(scene.name, scene.caption);
     for (const Chart &chart : charts()) list(chart.name, chart.caption);
-    list(prismName, prismCaption);
 }
 
 void renderGallery(const Options &options) { Gallery(options).render(); }
