@@ -29,6 +29,7 @@ pub struct Film {
     attenuation_per_mm: Rgb<f64>,
     /// The wavelengths at which spectra are given, nm.
     lambda_nm: [f64; 2],
+    is_base_opaque: bool,
 }
 
 /// The least cosine; smaller ones are replaced by it. At 0 even the thinnest film is a perfect mirror,
@@ -87,8 +88,15 @@ impl Film {
             } else {
                 description.range_nm()
             },
+            is_base_opaque: description.is_base_opaque(),
             description,
         }
+    }
+
+    /// [`FilmDescription::is_base_opaque`], which looks at the base's index.
+    #[inline(always)]
+    pub(crate) fn is_base_opaque(&self) -> bool {
+        self.is_base_opaque
     }
 
     /// [`FilmDescription::check_wavelength`], quick for wavelengths that are allowed.
@@ -220,7 +228,7 @@ impl Film {
                 "this film keeps no transmittance: set transmittance = 1 in its description",
             ));
         }
-        if side == Side::Base && self.description.is_base_opaque() {
+        if side == Side::Base && self.is_base_opaque {
             return Ok(Colors::default());
         }
         let inputs = [cos_theta, thickness_nm];

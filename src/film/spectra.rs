@@ -152,7 +152,7 @@ impl Film {
 
     /// Whether nothing arrives from that side.
     fn sends_no_light(&self, side: Side) -> bool {
-        side == Side::Base && self.description().is_base_opaque()
+        side == Side::Base && self.is_base_opaque()
     }
 
     /// The fields at the first surface, and the lanes that bring no light. Inputs are clamped; NaN becomes a

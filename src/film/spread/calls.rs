@@ -80,7 +80,7 @@ impl Film {
         self.check_spread(deviation_nm)?;
         if deviation_nm == 0.0
             || !self.description().transmittance
-            || side == Side::Base && self.description().is_base_opaque()
+            || side == Side::Base && self.is_base_opaque()
         {
             return self.colors(side, cos_theta, thickness_nm);
         }

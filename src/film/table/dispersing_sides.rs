@@ -2,7 +2,7 @@
 
 use super::critical::{MIDDLE_NM, centres};
 use super::errors::Errors;
-use super::film_table::Over;
+use super::film_table::{LaneTable, Over};
 use super::levelled::{LevelledTable, Thickness};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
@@ -88,6 +88,11 @@ impl DispersingSides {
         self.front.reflectance.over_cosine()
     }
 
+    /// The table of the reflectance from the ambient's side, for lanes.
+    pub(super) fn in_lanes(&self) -> Option<LaneTable<'_>> {
+        self.front.reflectance.in_lanes()
+    }
+
     fn tables(&self) -> impl Iterator<Item = &LevelledTable> {
         let sides = std::iter::once(&self.front).chain(self.back.as_deref());
         sides.flat_map(|side| {
@@ -113,7 +118,7 @@ impl DispersingSides {
     }
 
     pub(super) fn reflectance<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Rgb<f32> {
-        thickness.color(&self.front.reflectance, f64::from(cos_theta))
+        thickness.color(&self.front.reflectance, cos_theta.into())
     }
 
     pub(super) fn colors<T: Thickness>(&self, side: Side, cos_theta: f32, thickness: T) -> Colors {
@@ -189,7 +194,7 @@ impl OneSide {
     }
 
     fn colors<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Colors {
-        let c = f64::from(cos_theta);
+        let c = cos_theta.into();
         let reflectance = thickness.color(&self.reflectance, c);
         let transmittance = match &self.transmittance {
             Some(table) => thickness.color(table, c),

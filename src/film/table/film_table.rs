@@ -1,7 +1,8 @@
 //! The colours of a film over the cosine in one medium, and over the thickness of the layer that varies.
 
 use super::axes::LEAST_NM;
-use super::critical::{Centre, CriticalAxis, MIDDLE_NM};
+use super::critical::{Centre, MIDDLE_NM};
+use super::critical_axis::{Cosine, CriticalAxis};
 use super::errors::Errors;
 use super::fit;
 use super::patches::{PatchSource, Patches};
@@ -39,7 +40,7 @@ pub(super) enum FilmTable {
 
 /// A table over the coordinate of an axis, and over the product of thickness and the cosine in the layer.
 #[derive(Clone, Debug)]
-pub(super) struct Warped {
+pub(in crate::film) struct Warped {
     axis: CriticalAxis,
     /// Least and greatest thickness, nm.
     range: [f64; 2],
@@ -52,6 +53,32 @@ enum Shape {
     Spline(SplineTable),
     /// Patches over the axis and the root of the path's part of its range.
     Patches(Patches),
+}
+
+/// One spline over the cosine or its coordinate, for single numbers and for lanes.
+#[derive(Clone, Copy)]
+pub(in crate::film) struct LaneTable<'a> {
+    /// What the coordinate is from; `None` for a plain table.
+    warped: Option<&'a Warped>,
+    spline: &'a SplineTable,
+}
+
+impl<'a> LaneTable<'a> {
+    /// The spline, for [`SplineTable::around`].
+    #[inline(always)]
+    pub fn spline(&self) -> &'a SplineTable {
+        self.spline
+    }
+
+    /// The place in the spline of a cosine and a thickness within its range, nm.
+    #[inline(always)]
+    pub fn position<L: Lane<Scalar = f32>>(&self, cosine: Cosine<L>, thickness_nm: L) -> L::Rgb {
+        let Some(warped) = self.warped else {
+            return self.spline.position(cosine.value(), thickness_nm);
+        };
+        let [x, path] = warped.spline_arguments(cosine, thickness_nm, self.spline);
+        self.spline.position(x, path)
+    }
 }
 
 /// How a saved table begins, by its kind.
@@ -106,10 +133,10 @@ impl FilmTable {
 
     /// The colours at a cosine and a thickness within its range, nm.
     #[inline(always)]
-    pub fn at(&self, cos_theta: f64, thickness_nm: f32) -> Rgb<f32> {
+    pub fn at(&self, cosine: Cosine<f32>, thickness_nm: f32) -> Rgb<f32> {
         match self {
-            Self::Plain(spline) => f32::channels(spline.at(cos_theta as f32, thickness_nm)),
-            Self::Warped(warped) => warped.at(cos_theta, thickness_nm),
+            Self::Plain(spline) => f32::channels(spline.at(cosine.value(), thickness_nm)),
+            Self::Warped(warped) => warped.at(cosine, thickness_nm),
         }
     }
 
@@ -134,6 +161,23 @@ impl FilmTable {
         match self {
             Self::Plain(spline) => Some(spline),
             Self::Warped(_) => None,
+        }
+    }
+
+    /// The table for lanes; `None` for patches.
+    pub fn in_lanes(&self) -> Option<LaneTable<'_>> {
+        match self {
+            Self::Plain(spline) => Some(LaneTable {
+                warped: None,
+                spline,
+            }),
+            Self::Warped(warped) => match &warped.shape {
+                Shape::Spline(spline) => Some(LaneTable {
+                    warped: Some(warped),
+                    spline,
+                }),
+                Shape::Patches(_) => None,
+            },
         }
     }
 
@@ -259,14 +303,40 @@ impl Warped {
         }))
     }
 
-    fn at(&self, cos_theta: f64, thickness_nm: f32) -> Rgb<f32> {
-        let [least, greatest] = self.range;
-        let path = (f64::from(thickness_nm) - least) * self.axis.upright(cos_theta);
-        let x = self.axis.coordinate(cos_theta);
+    #[inline(always)]
+    fn at(&self, cosine: Cosine<f32>, thickness_nm: f32) -> Rgb<f32> {
         match &self.shape {
-            Shape::Spline(spline) => f32::channels(spline.at(x as f32, (least + path) as f32)),
-            Shape::Patches(patches) => patches.at([x, (path / (greatest - least)).sqrt()]),
+            Shape::Spline(spline) => {
+                let [x, path] = self.spline_arguments(cosine, thickness_nm, spline);
+                f32::channels(spline.at(x, path))
+            }
+            Shape::Patches(patches) => self.at_patch(patches, cosine, thickness_nm),
         }
+    }
+
+    #[inline(never)]
+    fn at_patch(&self, patches: &Patches, cosine: Cosine<f32>, thickness_nm: f32) -> Rgb<f32> {
+        let [least, greatest] = self.range;
+        let c = cosine.to_f64();
+        let path = (f64::from(thickness_nm) - least) * self.axis.upright(c);
+        patches.at([self.axis.coordinate(c), (path / (greatest - least)).sqrt()])
+    }
+
+    /// The coordinate, and the path in nm, at which a spline is looked up.
+    #[inline(always)]
+    fn spline_arguments<L: Lane<Scalar = f32>>(
+        &self,
+        cosine: Cosine<L>,
+        thickness_nm: L,
+        spline: &SplineTable,
+    ) -> [L; 2] {
+        let x = self.axis.coordinate_lanes(cosine);
+        if spline.is_over_cosine() {
+            return [x, thickness_nm];
+        }
+        let least = L::splat(self.range[0] as f32);
+        let path = (thickness_nm - least) * self.axis.upright_lanes(cosine);
+        [x, least + path]
     }
 }
 

@@ -1,7 +1,8 @@
 //! A table, and its averages over spreads of thickness.
 
+use super::critical_axis::Cosine;
 use super::errors::Errors;
-use super::film_table::{FilmTable, Over};
+use super::film_table::{FilmTable, LaneTable, Over};
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};
 use crate::error::Error;
@@ -15,13 +16,13 @@ use crate::num::bytes::{ByteReader, ByteWriter, unusable};
 /// What a table is looked up at besides the cosine: a thickness, nm, or a [`Spread`] of it.
 pub(in crate::film) trait Thickness: Copy {
     /// The colours at a cosine, not clipped.
-    fn color(self, table: &LevelledTable, cos_theta: f64) -> Rgb<f32>;
+    fn color(self, table: &LevelledTable, cosine: Cosine<f32>) -> Rgb<f32>;
 }
 
 impl Thickness for f32 {
     #[inline(always)]
-    fn color(self, table: &LevelledTable, cos_theta: f64) -> Rgb<f32> {
-        table.base.at(cos_theta, self)
+    fn color(self, table: &LevelledTable, cosine: Cosine<f32>) -> Rgb<f32> {
+        table.base.at(cosine, self)
     }
 }
 
@@ -33,10 +34,10 @@ pub(in crate::film) struct Spread {
 }
 
 impl Thickness for Spread {
-    fn color(self, table: &LevelledTable, cos_theta: f64) -> Rgb<f32> {
+    fn color(self, table: &LevelledTable, cosine: Cosine<f32>) -> Rgb<f32> {
         match &table.levels {
-            Some(levels) => levels.at(&table.base, cos_theta, self),
-            None => table.base.at(cos_theta, self.thickness_nm),
+            Some(levels) => levels.at(&table.base, cosine, self),
+            None => table.base.at(cosine, self.thickness_nm),
         }
     }
 }
@@ -122,6 +123,11 @@ impl LevelledTable {
     #[inline(always)]
     pub fn over_cosine(&self) -> Option<&SplineTable> {
         self.base.over_cosine()
+    }
+
+    /// [`FilmTable::in_lanes`], without spread.
+    pub fn in_lanes(&self) -> Option<LaneTable<'_>> {
+        self.base.in_lanes()
     }
 
     pub fn save(&self, block: &mut ByteWriter) {
@@ -223,7 +229,7 @@ impl Levels {
         let steps = levels.steps(base, &samples, [first.ln(), most.ln()], &limits);
         for ln_nm in steps {
             let fringes = levels.fringes;
-            let mut source = |c: f64, d: f64| average(&fringes, base, c, d, ln_nm.exp());
+            let mut source = |c: f64, d: f64| average(&fringes, base, Cosine::of_f64(c), d, ln_nm.exp());
             let fitted = FilmTable::fit(description, &mut source, over.clone(), level_limits)?;
             let Some((table, _)) = fitted else {
                 // Averages by many nodes are slower, but not wrong.
@@ -279,7 +285,7 @@ impl Levels {
     }
 
     /// Cosines and thicknesses at which errors are measured; the ends of the range are among them.
-    fn samples(&self) -> Vec<(f64, f32)> {
+    fn samples(&self) -> Vec<(Cosine<f32>, f32)> {
         let [least, greatest] = self.fringes.range;
         let mut samples = Vec::new();
         for i in 0..COSINES {
@@ -288,7 +294,7 @@ impl Levels {
             for j in 0..THICKNESSES {
                 // Denser where films are thin and fringes strong.
                 let part = (j as f64 / (THICKNESSES - 1) as f64).powf(1.5);
-                samples.push((c, (least + part * (greatest - least)) as f32));
+                samples.push((Cosine::of_f64(c), (least + part * (greatest - least)) as f32));
             }
         }
         samples
@@ -299,7 +305,7 @@ impl Levels {
         &self,
         base: &FilmTable,
         order: usize,
-        samples: &[(f64, f32)],
+        samples: &[(Cosine<f32>, f32)],
         most: f64,
         limits: &FitLimits,
     ) -> f32 {
@@ -331,13 +337,13 @@ impl Levels {
     fn steps(
         &self,
         base: &FilmTable,
-        samples: &[(f64, f32)],
+        samples: &[(Cosine<f32>, f32)],
         [first, last]: [f64; 2],
         limits: &FitLimits,
     ) -> Vec<f64> {
         let averages = |ln_nm: f64| -> Vec<Rgb<f64>> {
             let of =
-                |&(c, d): &(f64, f32)| average(&self.fringes, base, c, f64::from(d), ln_nm.exp());
+                |&(c, d): &(Cosine<f32>, f32)| average(&self.fringes, base, c, f64::from(d), ln_nm.exp());
             samples.iter().map(of).collect()
         };
         let mut steps = vec![first];
@@ -371,14 +377,14 @@ impl Levels {
         steps
     }
 
-    fn at(&self, base: &FilmTable, cos_theta: f64, spread: Spread) -> Rgb<f32> {
+    fn at(&self, base: &FilmTable, cosine: Cosine<f32>, spread: Spread) -> Rgb<f32> {
         let deviation = spread.deviation_nm;
         if let Some(order) = self.limits.iter().position(|limit| deviation <= *limit) {
-            return self.by_rule(base, order, cos_theta, spread);
+            return self.by_rule(base, order, cosine, spread);
         }
         if self.levels.is_empty() {
             let (d, deviation) = (f64::from(spread.thickness_nm), f64::from(deviation));
-            return average(&self.fringes, base, cos_theta, d, deviation).map(|x| x as f32);
+            return average(&self.fringes, base, cosine, d, deviation).map(|x| x as f32);
         }
         let last = self.levels.len() - 3;
         let ln_nm = deviation.ln().min(self.levels[last + 2].ln_nm);
@@ -390,7 +396,7 @@ impl Levels {
         let weights = parabola([0, 1, 2].map(|i| group[i].ln_nm), ln_nm);
         let mut sum = [0.0; 3];
         for (level, weight) in group.iter().zip(weights) {
-            let found = level.table.at(cos_theta, spread.thickness_nm);
+            let found = level.table.at(cosine, spread.thickness_nm);
             for channel in 0..3 {
                 sum[channel] += weight * found[channel];
             }
@@ -399,7 +405,7 @@ impl Levels {
     }
 
     /// The average by a rule over the table itself.
-    fn by_rule(&self, base: &FilmTable, order: usize, cos_theta: f64, spread: Spread) -> Rgb<f32> {
+    fn by_rule(&self, base: &FilmTable, order: usize, cosine: Cosine<f32>, spread: Spread) -> Rgb<f32> {
         let [least, greatest] = self.fringes.range.map(|nm| nm as f32);
         let Spread {
             thickness_nm,
@@ -410,7 +416,7 @@ impl Levels {
         let mut sum = [0.0; 3];
         for (node, weight) in rule.iter() {
             let d = (thickness_nm + node * deviation_nm).clamp(least, greatest);
-            let found = base.at(cos_theta, d);
+            let found = base.at(cosine, d);
             for channel in 0..3 {
                 sum[channel] += weight * found[channel];
             }
@@ -423,13 +429,13 @@ impl Levels {
 fn average(
     fringes: &Fringes,
     base: &FilmTable,
-    cos_theta: f64,
+    cosine: Cosine<f32>,
     thickness_nm: f64,
     deviation_nm: f64,
 ) -> Rgb<f64> {
     let [least, greatest] = fringes.range.map(|nm| nm as f32);
     let found = fringes.average(thickness_nm, deviation_nm, &mut |t| {
-        let found = base.at(cos_theta, (t as f32).clamp(least, greatest));
+        let found = base.at(cosine, (t as f32).clamp(least, greatest));
         Colors {
             reflectance: found.map(f64::from),
             transmittance: [0.0; 3],
