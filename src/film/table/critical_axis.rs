@@ -48,7 +48,7 @@ struct Trio {
     cosine: <f32 as Lane>::Rgb,
     /// What is left of the cosine: differences from it keep their digits, however small they are.
     rest: <f32 as Lane>::Rgb,
-    /// 4 / w.
+    /// [`Centre::factor`].
     factor: <f32 as Lane>::Rgb,
 }
 
@@ -102,8 +102,9 @@ impl<L: Real> Cosine<L> {
 /// The coordinate around a critical cosine at a distance from it.
 #[inline(always)]
 fn spread_out<T: Real>(v: T, factor: T) -> T {
-    let t = (v * factor).abs();
-    let log = smooth_log2((t * T::new(0.5) + T::new(1.0)) * t + T::new(1.0));
+    // Written so that few operations wait for each other, as in smooth_log2: t is sqrt(2) s.
+    let s = (v * factor).abs();
+    let log = smooth_log2(s * s + (s * T::new(std::f64::consts::SQRT_2) + T::new(1.0)));
     T::select(v.lt(T::new(0.0)), -log, log)
 }
 
@@ -120,7 +121,7 @@ fn smooth_log2<T: Real>(x: T) -> T {
     let high = T::new(0.492_936_859_565_041_3) + T::new(-0.394_689_524_246_875_7) * f;
     let square = f * f;
     let high = high + T::new(0.226_996_163_933_671_3) * square;
-    exponent + f * (low + square * high)
+    (exponent + f * low) + (f * square) * high
 }
 
 impl CriticalAxis {
@@ -143,6 +144,11 @@ impl CriticalAxis {
                 tilt: tilt as f32,
             },
         }
+    }
+
+    /// Whether both axes have the same coordinates.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.centres == other.centres && self.tilt == other.tilt
     }
 
     /// The number of critical angles.
@@ -238,8 +244,9 @@ fn upright<T: Real>(cos_theta: T, tilt: T) -> T {
 }
 
 impl Centre {
+    /// t / sqrt(2) for a distance of 1.
     fn factor(&self) -> f64 {
-        4.0 / self.width
+        2.0 * std::f64::consts::SQRT_2 / self.width
     }
 
     fn coordinate(&self, cos_theta: f64) -> f64 {

@@ -30,6 +30,8 @@ struct OneSide {
     reflectance: LevelledTable,
     /// `None`: 1 - reflectance, as nothing absorbs.
     transmittance: Option<Box<LevelledTable>>,
+    /// Whether both tables share their axis.
+    has_one_axis: bool,
 }
 
 impl DispersingSides {
@@ -166,10 +168,16 @@ impl OneSide {
                 return Ok(None);
             }
         }
-        Ok(Some(Self {
+        Ok(Some(Self::new(reflectance, transmittance.map(Box::new))))
+    }
+
+    fn new(reflectance: LevelledTable, transmittance: Option<Box<LevelledTable>>) -> Self {
+        let table = transmittance.as_ref();
+        Self {
+            has_one_axis: table.is_some_and(|table| table.shares_axis(&reflectance)),
             reflectance,
-            transmittance: transmittance.map(Box::new),
-        }))
+            transmittance,
+        }
     }
 
     fn cost_ns(&self) -> f64 {
@@ -181,24 +189,27 @@ impl OneSide {
         let Self {
             reflectance,
             transmittance,
+            has_one_axis: _,
         } = self;
         reflectance.save(block);
         LevelledTable::save_optional(transmittance.as_deref(), block);
     }
 
     fn load(block: &mut ByteReader<'_>, description: &FilmDescription) -> Result<Self, Error> {
-        Ok(Self {
-            reflectance: LevelledTable::load(block, description)?,
-            transmittance: LevelledTable::load_optional(block, description)?,
-        })
+        let reflectance = LevelledTable::load(block, description)?;
+        let transmittance = LevelledTable::load_optional(block, description)?;
+        Ok(Self::new(reflectance, transmittance))
     }
 
     fn colors<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Colors {
         let c = cos_theta.into();
-        let reflectance = thickness.color(&self.reflectance, c);
-        let transmittance = match &self.transmittance {
-            Some(table) => thickness.color(table, c),
-            None => reflectance.map(|r| 1.0 - r),
+        let [reflectance, transmittance] = match &self.transmittance {
+            Some(table) if self.has_one_axis => thickness.both([&self.reflectance, table], c),
+            Some(table) => [&self.reflectance, table].map(|table| thickness.color(table, c)),
+            None => {
+                let reflectance = thickness.color(&self.reflectance, c);
+                [reflectance, reflectance.map(|r| 1.0 - r)]
+            }
         };
         Colors {
             reflectance,

@@ -140,6 +140,24 @@ impl FilmTable {
         }
     }
 
+    /// Whether both tables have one spline each, over the same coordinate.
+    pub fn shares_axis(&self, other: &Self) -> bool {
+        let warped = [self, other].map(|table| table.in_lanes()?.warped);
+        matches!(warped, [Some(one), Some(other)] if one.axis.is_like(&other.axis))
+    }
+
+    /// The colours of two tables that share their axis: the coordinate is found once.
+    #[inline(always)]
+    pub fn both_at(tables: [&Self; 2], cosine: Cosine<f32>, thickness_nm: f32) -> [Rgb<f32>; 2] {
+        if let [Self::Warped(one), Self::Warped(other)] = tables
+            && let [Shape::Spline(first), Shape::Spline(second)] = [&one.shape, &other.shape]
+        {
+            let [x, path] = one.spline_arguments(cosine, thickness_nm, first);
+            return [first.at(x, path), second.at(x, path)].map(f32::channels);
+        }
+        tables.map(|table| table.at(cosine, thickness_nm))
+    }
+
     /// Estimated time of a look-up, ns.
     pub fn cost_ns(&self) -> f64 {
         match self {

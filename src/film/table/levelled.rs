@@ -17,12 +17,23 @@ use crate::num::bytes::{ByteReader, ByteWriter, unusable};
 pub(in crate::film) trait Thickness: Copy {
     /// The colours at a cosine, not clipped.
     fn color(self, table: &LevelledTable, cosine: Cosine<f32>) -> Rgb<f32>;
+
+    /// The colours of two tables that share their axis.
+    #[inline(always)]
+    fn both(self, tables: [&LevelledTable; 2], cosine: Cosine<f32>) -> [Rgb<f32>; 2] {
+        tables.map(|table| self.color(table, cosine))
+    }
 }
 
 impl Thickness for f32 {
     #[inline(always)]
     fn color(self, table: &LevelledTable, cosine: Cosine<f32>) -> Rgb<f32> {
         table.base.at(cosine, self)
+    }
+
+    #[inline(always)]
+    fn both(self, [one, other]: [&LevelledTable; 2], cosine: Cosine<f32>) -> [Rgb<f32>; 2] {
+        FilmTable::both_at([&one.base, &other.base], cosine, self)
     }
 }
 
@@ -123,6 +134,11 @@ impl LevelledTable {
     #[inline(always)]
     pub fn over_cosine(&self) -> Option<&SplineTable> {
         self.base.over_cosine()
+    }
+
+    /// [`FilmTable::shares_axis`], without spread.
+    pub fn shares_axis(&self, other: &Self) -> bool {
+        self.base.shares_axis(&other.base)
     }
 
     /// [`FilmTable::in_lanes`], without spread.
