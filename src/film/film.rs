@@ -5,6 +5,7 @@ use super::description::FilmDescription;
 use super::evaluator::Evaluator;
 use super::plan::choose::plan;
 use super::plan::film_plan::FilmPlan;
+use super::spectra::repeated_media;
 use super::table::spline::SplineTable;
 use crate::error::Error;
 use crate::num::{Lane, Real, Rgb, each};
@@ -30,6 +31,8 @@ pub struct Film {
     /// The wavelengths at which spectra are given, nm.
     lambda_nm: [f64; 2],
     is_base_opaque: bool,
+    /// By [`repeated_media`].
+    pub(super) repeated_media: Box<[usize]>,
 }
 
 /// The least cosine; smaller ones are replaced by it. At 0 even the thinnest film is a perfect mirror,
@@ -89,6 +92,7 @@ impl Film {
                 description.range_nm()
             },
             is_base_opaque: description.is_base_opaque(),
+            repeated_media: repeated_media(&description.layers),
             description,
         }
     }

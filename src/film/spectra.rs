@@ -5,10 +5,11 @@
 //! batch, are evaluated side by side. Lanes do not depend on each other: a batch finds the bits of single
 //! calls.
 
+use super::description::FilmLayer;
 use super::film::{Film, LEAST_COSINE};
 use crate::error::Error;
 use crate::num::{F64x4, Real, widest};
-use crate::optics::stack::{Incidence, Response, Side};
+use crate::optics::stack::{Incidence, Response, Side, Wave};
 use crate::optics::{Amplitudes, Complex, Propagation};
 
 type LaneMask = <F64x4 as Real>::Mask;
@@ -19,6 +20,9 @@ type FourRays = [[f64; F64x4::COUNT]; 3];
 type FourAmplitudes = [[f64; F64x4::COUNT]; 8];
 /// R_s, R_p, T_s and T_p.
 type FourResponses = [[f64; F64x4::COUNT]; 4];
+
+/// The number of media of several layers in which waves are kept from one layer to the next.
+const KEPT: usize = 4;
 
 /// What a lane is about.
 #[derive(Clone, Copy)]
@@ -179,20 +183,50 @@ impl Film {
             Side::Ambient => (ambient, base),
             Side::Base => (base, ambient),
         };
-        let mut fields = Propagation::new(Incidence::new(near.re, cos_theta), far);
+        let mut fields = Propagation::new(Incidence::new(near.re, cos_theta), far, wavelength_nm);
         let layers = &description.layers;
+        let mut kept: [Option<Wave<F64x4>>; KEPT] = [None; KEPT];
         for step in 0..layers.len() {
-            let layer = match side {
-                Side::Ambient => &layers[layers.len() - 1 - step],
-                Side::Base => &layers[step],
+            let at = match side {
+                Side::Ambient => layers.len() - 1 - step,
+                Side::Base => step,
+            };
+            let layer = &layers[at];
+            let wave = match kept.get(self.repeated_media[at]) {
+                Some(Some(wave)) => *wave,
+                other => {
+                    let wave = fields.wave(layer.medium.index_lanes(wavelength_nm));
+                    if other.is_some() {
+                        kept[self.repeated_media[at]] = Some(wave);
+                    }
+                    wave
+                }
             };
             let [min, max] = layer.thickness_nm;
-            let index = layer.medium.index_lanes(wavelength_nm);
             let thickness_nm = thickness_nm.max(F64x4::new(min)).min(F64x4::new(max));
-            fields.cross(index, thickness_nm, wavelength_nm);
+            fields.cross(&wave, thickness_nm);
         }
         (fields, is_dark)
     }
+}
+
+/// For each layer the number of its medium among those of several layers; [`KEPT`] if its waves are not kept.
+pub(super) fn repeated_media(layers: &[FilmLayer]) -> Box<[usize]> {
+    let is_like = |i: usize, j: usize| layers[i].medium.is_like(&layers[j].medium);
+    let mut numbers = vec![KEPT; layers.len()];
+    let mut count = 0;
+    for i in 0..layers.len() {
+        let others = i + 1..layers.len();
+        if numbers[i] < KEPT || count == KEPT || !others.clone().any(|j| is_like(i, j)) {
+            continue;
+        }
+        numbers[i] = count;
+        for j in others.filter(|j| is_like(i, *j)) {
+            numbers[j] = count;
+        }
+        count += 1;
+    }
+    numbers.into()
 }
 
 /// Stores numbers, 0 in dark lanes.

@@ -61,7 +61,8 @@ fn find_positions<L: Lane<Scalar = f32>>(
     for ((cos_theta, thickness_nm), (x, y)) in inputs.zip(positions) {
         let [cos_theta, thickness_nm] =
             film.clamp_inputs([L::load(cos_theta), L::load(thickness_nm)]);
-        let [along_x, along_y, _] = L::channels(table.position(Cosine::from(cos_theta), thickness_nm));
+        let [along_x, along_y, _] =
+            L::channels(table.position(Cosine::from(cos_theta), thickness_nm));
         along_x.store(x);
         if !table.spline().is_over_cosine() {
             along_y.store(y);

@@ -1,7 +1,8 @@
 //! Cosines at which the colours change within narrow intervals: around the critical angles.
 
 use crate::film::description::FilmDescription;
-use crate::optics::{Medium, VISIBLE_NM};
+
+use crate::optics::{Medium, VISIBLE_NM, critical_cosine};
 
 /// Wavenumbers at which the critical cosines are looked at.
 const SAMPLES: usize = 64;
@@ -53,13 +54,15 @@ pub(super) fn centres(
     for layer in &description.layers {
         let index = layer.medium.index(MIDDLE_NM);
         let thickness_nm = layer.thickness_nm[1];
-        let ratio = index.re / near.index(MIDDLE_NM).re;
-        if index.im > ABSORBING || ratio >= 1.0 || thickness_nm == 0.0 {
+        let near_index = near.index(MIDDLE_NM).re;
+        let Some(cosine) = critical_cosine(near_index, index.re) else {
+            continue;
+        };
+        if index.im > ABSORBING || thickness_nm == 0.0 {
             continue;
         }
         // A layer begins to transmit where q d is about lambda / (2 pi).
-        let cosine = (1.0 - ratio * ratio).sqrt();
-        let decay = MIDDLE_NM / (std::f64::consts::TAU * thickness_nm * near.index(MIDDLE_NM).re);
+        let decay = MIDDLE_NM / (std::f64::consts::TAU * thickness_nm * near_index);
         let width = decay * decay / (2.0 * cosine);
         if width < WIDE {
             add(&mut found, near, &layer.medium, width.max(LEAST_WIDTH));
@@ -75,9 +78,7 @@ fn add(found: &mut Vec<Centre>, near: &Medium, medium: &Medium, least_width: f64
     let step = (last - first) / (SAMPLES - 1) as f64;
     let cosines = (0..SAMPLES).filter_map(|i| {
         let nm = 1.0 / (first + i as f64 * step);
-        let ratio = medium.index(nm).re / near.index(nm).re;
-        let squared = (1.0 - ratio) * (1.0 + ratio);
-        (squared > 0.0).then(|| squared.sqrt())
+        critical_cosine(near.index(nm).re, medium.index(nm).re)
     });
     let mut cosines: Vec<f64> = cosines.collect();
     cosines.sort_by(f64::total_cmp);

@@ -238,9 +238,7 @@ impl CriticalAxis {
 fn upright<T: Real>(cos_theta: T, tilt: T) -> T {
     let one = T::new(1.0);
     let squared = one - tilt * (one - cos_theta * cos_theta);
-    squared
-        .max(T::new(LEAST_UPRIGHT * LEAST_UPRIGHT))
-        .sqrt()
+    squared.max(T::new(LEAST_UPRIGHT * LEAST_UPRIGHT)).sqrt()
 }
 
 impl Centre {

@@ -245,7 +245,8 @@ impl Levels {
         let steps = levels.steps(base, &samples, [first.ln(), most.ln()], &limits);
         for ln_nm in steps {
             let fringes = levels.fringes;
-            let mut source = |c: f64, d: f64| average(&fringes, base, Cosine::of_f64(c), d, ln_nm.exp());
+            let mut source =
+                |c: f64, d: f64| average(&fringes, base, Cosine::of_f64(c), d, ln_nm.exp());
             let fitted = FilmTable::fit(description, &mut source, over.clone(), level_limits)?;
             let Some((table, _)) = fitted else {
                 // Averages by many nodes are slower, but not wrong.
@@ -310,7 +311,10 @@ impl Levels {
             for j in 0..THICKNESSES {
                 // Denser where films are thin and fringes strong.
                 let part = (j as f64 / (THICKNESSES - 1) as f64).powf(1.5);
-                samples.push((Cosine::of_f64(c), (least + part * (greatest - least)) as f32));
+                samples.push((
+                    Cosine::of_f64(c),
+                    (least + part * (greatest - least)) as f32,
+                ));
             }
         }
         samples
@@ -358,8 +362,9 @@ impl Levels {
         limits: &FitLimits,
     ) -> Vec<f64> {
         let averages = |ln_nm: f64| -> Vec<Rgb<f64>> {
-            let of =
-                |&(c, d): &(Cosine<f32>, f32)| average(&self.fringes, base, c, f64::from(d), ln_nm.exp());
+            let of = |&(c, d): &(Cosine<f32>, f32)| {
+                average(&self.fringes, base, c, f64::from(d), ln_nm.exp())
+            };
             samples.iter().map(of).collect()
         };
         let mut steps = vec![first];
@@ -421,7 +426,13 @@ impl Levels {
     }
 
     /// The average by a rule over the table itself.
-    fn by_rule(&self, base: &FilmTable, order: usize, cosine: Cosine<f32>, spread: Spread) -> Rgb<f32> {
+    fn by_rule(
+        &self,
+        base: &FilmTable,
+        order: usize,
+        cosine: Cosine<f32>,
+        spread: Spread,
+    ) -> Rgb<f32> {
         let [least, greatest] = self.fringes.range.map(|nm| nm as f32);
         let Spread {
             thickness_nm,
