@@ -4,7 +4,7 @@ use super::colors::has_nan;
 use super::evaluator::Evaluator;
 use super::film::{Film, one_by_one};
 use super::table::critical_axis::Cosine;
-use super::table::film_table::LaneTable;
+use super::table::lane_table::LaneTable;
 use crate::num::{ColumnsMut, Lane, Level, Work};
 
 /// Positions of this number of elements wait in the processor's first cache.

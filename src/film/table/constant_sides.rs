@@ -3,7 +3,8 @@
 use super::critical::{MIDDLE_NM, centres};
 use super::critical_axis::Cosine;
 use super::errors::Errors;
-use super::film_table::{LaneTable, Over};
+use super::film_table::Over;
+use super::lane_table::LaneTable;
 use super::levelled::{LevelledTable, Thickness};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
@@ -209,6 +210,11 @@ impl ConstantSides {
     fn others(&self) -> impl Iterator<Item = &LevelledTable> {
         let others = [&self.through, &self.back, &self.beyond];
         others.into_iter().flatten().map(Box::as_ref)
+    }
+
+    #[cfg(test)]
+    pub(super) fn front(&self) -> &LevelledTable {
+        &self.front
     }
 
     /// Estimated time of the look-ups of a call from a side, ns.

@@ -2,7 +2,8 @@
 
 use super::critical::{MIDDLE_NM, centres};
 use super::errors::Errors;
-use super::film_table::{LaneTable, Over};
+use super::film_table::Over;
+use super::lane_table::LaneTable;
 use super::levelled::{LevelledTable, Thickness};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
@@ -100,6 +101,11 @@ impl DispersingSides {
         sides.flat_map(|side| {
             std::iter::once(&side.reflectance).chain(side.transmittance.as_deref())
         })
+    }
+
+    #[cfg(test)]
+    pub(super) fn front(&self) -> &LevelledTable {
+        &self.front.reflectance
     }
 
     /// Estimated time of the look-ups of a call from a side, ns; 0 if no light is asked for from it.

@@ -3,7 +3,9 @@
 use super::constant_sides::ConstantSides;
 use super::dispersing_sides::DispersingSides;
 use super::errors::Errors;
-use super::film_table::LaneTable;
+use super::lane_table::LaneTable;
+#[cfg(test)]
+use super::levelled::LevelledTable;
 use super::levelled::Thickness;
 use super::spline::SplineTable;
 use super::task::FitLimits;
@@ -75,6 +77,15 @@ impl TwoSidedTables {
         match self {
             Self::Constant(sides) => sides.in_lanes(),
             Self::Dispersing(sides) => sides.in_lanes(),
+        }
+    }
+
+    /// The table of the reflectance from the ambient's side.
+    #[cfg(test)]
+    pub(super) fn front(&self) -> &LevelledTable {
+        match self {
+            Self::Constant(sides) => sides.front(),
+            Self::Dispersing(sides) => sides.front(),
         }
     }
 
