@@ -159,6 +159,15 @@ mod tests {
             transmittance: true,
             ..coated([50.0, 700.0])
         };
+        let named = |name: &str| Medium::named(name).unwrap();
+        let from_bk7 = FilmDescription {
+            ambient: named("BK7"),
+            ..FilmDescription::new(Medium::vacuum())
+        };
+        let through_air = FilmDescription {
+            ambient: named("BK7"),
+            ..FilmDescription::new(named("BK7"))
+        };
         let films = [
             ("table", coated([50.0, 700.0])),
             ("table", metal.layer(constant(1.33, 0.0), [0.0, 1000.0])),
@@ -167,6 +176,14 @@ mod tests {
             (
                 "table from glass",
                 from_glass.layer(constant(1.38, 0.0), [50.0, 700.0]),
+            ),
+            (
+                "table over critical angles",
+                from_bk7.layer(named("MgF2"), [0.0, 300.0]),
+            ),
+            (
+                "table over critical angles",
+                through_air.layer(named("air"), [300.0; 2]),
             ),
             ("bands", bands),
         ];
@@ -191,6 +208,7 @@ mod tests {
                 Evaluator::Tables(tables) => match tables.over_ambient_cosine() {
                     Some(table) if table.is_over_cosine() => what == "table over the cosine",
                     Some(_) => what == "table",
+                    None if tables.in_lanes().is_some() => what == "table over critical angles",
                     None => what == "table from glass",
                 },
                 _ => what == "bands",
