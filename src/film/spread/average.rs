@@ -33,6 +33,9 @@ const GAUSS: [(f64, f64); 4] = [
     (0.861_136_311_594_052_6, 0.347_854_845_137_453_9),
 ];
 
+/// Finds the colours at thicknesses, nm, and writes them to as many places.
+pub(in crate::film) type ColorsOfMany<'a> = dyn FnMut(&[f64], &mut [Colors<f64>]) + 'a;
+
 /// The range of a thickness, and the steps in which its fringes are resolved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::film) struct Fringes {
@@ -79,7 +82,7 @@ impl Fringes {
         &self,
         thickness_nm: f64,
         deviation_nm: f64,
-        colors: &mut dyn FnMut(&[f64], &mut [Colors<f64>]),
+        colors: &mut ColorsOfMany<'_>,
     ) -> Colors<f64> {
         let [least, greatest] = self.range;
         let beyond = BEYOND * deviation_nm;
