@@ -5,7 +5,7 @@ use super::description::FilmDescription;
 use super::evaluator::Evaluator;
 use super::plan::choose::plan;
 use super::plan::film_plan::FilmPlan;
-use super::spectra::repeated_media;
+use super::repeated_media::repeated_media;
 use super::table::spline::SplineTable;
 use crate::error::Error;
 use crate::num::{Lane, Real, Rgb, each};

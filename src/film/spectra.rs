@@ -5,8 +5,8 @@
 //! batch, are evaluated side by side. Lanes do not depend on each other: a batch finds the bits of single
 //! calls.
 
-use super::description::FilmLayer;
 use super::film::{Film, LEAST_COSINE};
+use super::repeated_media::KEPT;
 use crate::error::Error;
 use crate::num::{F64x4, Real, widest};
 use crate::optics::stack::{Incidence, Response, Side, Wave};
@@ -20,9 +20,6 @@ type FourRays = [[f64; F64x4::COUNT]; 3];
 type FourAmplitudes = [[f64; F64x4::COUNT]; 8];
 /// R_s, R_p, T_s and T_p.
 type FourResponses = [[f64; F64x4::COUNT]; 4];
-
-/// The number of media of several layers in which waves are kept from one layer to the next.
-const KEPT: usize = 4;
 
 /// What a lane is about.
 #[derive(Clone, Copy)]
@@ -208,25 +205,6 @@ impl Film {
         }
         (fields, is_dark)
     }
-}
-
-/// For each layer the number of its medium among those of several layers; [`KEPT`] if its waves are not kept.
-pub(super) fn repeated_media(layers: &[FilmLayer]) -> Box<[usize]> {
-    let is_like = |i: usize, j: usize| layers[i].medium.is_like(&layers[j].medium);
-    let mut numbers = vec![KEPT; layers.len()];
-    let mut count = 0;
-    for i in 0..layers.len() {
-        let others = i + 1..layers.len();
-        if numbers[i] < KEPT || count == KEPT || !others.clone().any(|j| is_like(i, j)) {
-            continue;
-        }
-        numbers[i] = count;
-        for j in others.filter(|j| is_like(i, *j)) {
-            numbers[j] = count;
-        }
-        count += 1;
-    }
-    numbers.into()
 }
 
 /// Stores numbers, 0 in dark lanes.

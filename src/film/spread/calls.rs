@@ -6,7 +6,7 @@ use crate::film::Film;
 use crate::film::colors::{Colors, has_nan};
 use crate::film::evaluator::Evaluator;
 use crate::film::film::one_by_one;
-use crate::film::table::levelled::Spread;
+use crate::film::table::levels::Spread;
 use crate::num::{Lane, Rgb};
 use crate::optics::stack::Side;
 

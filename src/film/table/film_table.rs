@@ -8,7 +8,7 @@ use super::fit;
 use super::lane_table::LaneTable;
 use super::patches::Patches;
 use super::spline::SplineTable;
-use super::task::{ColorSource, FitLimits, FitTask};
+use super::task::{ColorSource, FitLimits};
 use super::warped::{Shape, Warped};
 use crate::error::Error;
 use crate::film::description::FilmDescription;
@@ -67,7 +67,7 @@ impl FilmTable {
         };
         let tilt = tilt(description, index);
         if centres.is_empty() {
-            let plain = fitted(description, source, range, tilt.min(GREATEST_TILT), limits)?;
+            let plain = fit::of_film(description, source, range, tilt.min(GREATEST_TILT), limits)?;
             if let Some((spline, errors)) = plain {
                 return Ok(Some((Self::Plain(spline), errors)));
             }
@@ -247,23 +247,4 @@ fn tilt(description: &FilmDescription, index: Option<f64>) -> f64 {
 fn table_range(thickness_nm: [f64; 2]) -> [f64; 2] {
     let [least, greatest] = thickness_nm.map(|x| f64::from(x as f32));
     [least, greatest.max(least + LEAST_NM)]
-}
-
-pub(super) fn fitted(
-    description: &FilmDescription,
-    source: &mut ColorSource<'_>,
-    range: [f64; 2],
-    tilt: f64,
-    limits: FitLimits,
-) -> Result<Option<fit::Fitted>, Error> {
-    if description.varying().is_none() {
-        return fit::over_cosine(source, limits);
-    }
-    fit::over_both(&mut FitTask {
-        source,
-        range,
-        tilt,
-        is_costly: description.layers.len() > 1,
-        limits,
-    })
 }

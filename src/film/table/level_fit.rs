@@ -3,8 +3,7 @@
 use super::critical_axis::Cosine;
 use super::errors::Errors;
 use super::film_table::{FilmTable, Over};
-use super::levelled::Spread;
-use super::levels::{Levels, SpreadLevel, average, parabola};
+use super::levels::{Levels, Spread, SpreadLevel, average, parabola};
 use super::task::FitLimits;
 use crate::error::Error;
 use crate::film::description::FilmDescription;

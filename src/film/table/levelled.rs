@@ -4,7 +4,7 @@ use super::critical_axis::Cosine;
 use super::errors::Errors;
 use super::film_table::{FilmTable, Over};
 use super::lane_table::LaneTable;
-use super::levels::Levels;
+use super::levels::{Levels, Spread};
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};
 use crate::error::Error;
@@ -34,13 +34,6 @@ impl Thickness for f32 {
     fn both(self, [one, other]: [&LevelledTable; 2], cosine: Cosine<f32>) -> [Rgb<f32>; 2] {
         FilmTable::both_at([&one.base, &other.base], cosine, self)
     }
-}
-
-/// A thickness within its range and the standard deviation around it, above 0, nm.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::film) struct Spread {
-    pub thickness_nm: f32,
-    pub deviation_nm: f32,
 }
 
 impl Thickness for Spread {

@@ -2,7 +2,6 @@
 
 use super::critical_axis::Cosine;
 use super::film_table::FilmTable;
-use super::levelled::Spread;
 use super::nodes;
 use crate::error::Error;
 use crate::film::description::FilmDescription;
@@ -10,6 +9,13 @@ use crate::film::spread::average::Fringes;
 use crate::film::spread::cut_normal::{CutNormal, ORDERS};
 use crate::num::Rgb;
 use crate::num::bytes::{ByteReader, ByteWriter, unusable};
+
+/// A thickness within its range and the standard deviation around it, above 0, nm.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::film) struct Spread {
+    pub thickness_nm: f32,
+    pub deviation_nm: f32,
+}
 
 /// The averages of a table.
 ///

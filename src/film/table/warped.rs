@@ -3,7 +3,7 @@
 use super::axes::LEAST_NM;
 use super::critical_axis::{Cosine, CriticalAxis};
 use super::errors::Errors;
-use super::film_table::fitted;
+use super::fit;
 use super::patches::{PatchSource, Patches};
 use super::spline::SplineTable;
 use super::task::{ColorSource, FitLimits};
@@ -44,7 +44,7 @@ impl Warped {
             let (c, upright) = last.at(x);
             source(c, range[0] + (path - range[0]) / upright)
         };
-        let fitted = fitted(description, &mut warped, range, 0.0, limits)?;
+        let fitted = fit::of_film(description, &mut warped, range, 0.0, limits)?;
         Ok(fitted.map(|(spline, errors)| {
             let shape = Shape::Spline(spline);
             (Self { axis, range, shape }, errors)
