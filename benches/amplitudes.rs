@@ -70,6 +70,13 @@ fn bench(criterion: &mut Criterion) {
             film(&repeated(&named("BK7"), 9), named("BK7")),
         ),
         (
+            "8 different layers",
+            film(
+                &["Au", "TiO2", "Ag", "SiO2", "Al", "MgF2", "Cu", "Al2O3"].map(named),
+                named("BK7"),
+            ),
+        ),
+        (
             "81 measurements, 1 layer",
             film(&repeated(&measured(81), 1), measured(81)),
         ),

@@ -139,7 +139,7 @@ pub unsafe extern "C" fn pellicle_film_info(
                 transmittance: u32::from(film.description().transmittance),
                 thickness_min_nm: min as f32,
                 thickness_max_nm: max as f32,
-                base_opaque: u32::from(film.description().is_base_opaque()),
+                base_opaque: u32::from(film.is_base_opaque()),
                 lambda_min_nm,
                 lambda_max_nm,
                 thickness_spread_max_nm: film.thickness_spread_max_nm(),

@@ -5,6 +5,7 @@ use super::description::FilmDescription;
 use super::evaluator::Evaluator;
 use super::plan::choose::plan;
 use super::plan::film_plan::FilmPlan;
+use super::repeated_media::repeated_media;
 use super::table::spline::SplineTable;
 use crate::error::Error;
 use crate::num::{Lane, Real, Rgb, each};
@@ -29,6 +30,9 @@ pub struct Film {
     attenuation_per_mm: Rgb<f64>,
     /// The wavelengths at which spectra are given, nm.
     lambda_nm: [f64; 2],
+    is_base_opaque: bool,
+    /// By [`repeated_media`].
+    pub(super) repeated_media: Box<[usize]>,
 }
 
 /// The least cosine; smaller ones are replaced by it. At 0 even the thinnest film is a perfect mirror,
@@ -87,8 +91,16 @@ impl Film {
             } else {
                 description.range_nm()
             },
+            is_base_opaque: description.is_base_opaque(),
+            repeated_media: repeated_media(&description.layers),
             description,
         }
+    }
+
+    /// [`FilmDescription::is_base_opaque`], which looks at the base's index.
+    #[inline(always)]
+    pub(crate) fn is_base_opaque(&self) -> bool {
+        self.is_base_opaque
     }
 
     /// [`FilmDescription::check_wavelength`], quick for wavelengths that are allowed.
@@ -220,7 +232,7 @@ impl Film {
                 "this film keeps no transmittance: set transmittance = 1 in its description",
             ));
         }
-        if side == Side::Base && self.description.is_base_opaque() {
+        if side == Side::Base && self.is_base_opaque {
             return Ok(Colors::default());
         }
         let inputs = [cos_theta, thickness_nm];

@@ -17,6 +17,7 @@ mod film;
 mod fringe_series;
 mod method;
 mod plan;
+mod repeated_media;
 mod saving;
 mod spectra;
 mod spread;

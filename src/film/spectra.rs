@@ -6,9 +6,10 @@
 //! calls.
 
 use super::film::{Film, LEAST_COSINE};
+use super::repeated_media::KEPT;
 use crate::error::Error;
 use crate::num::{F64x4, Real, widest};
-use crate::optics::stack::{Incidence, Response, Side};
+use crate::optics::stack::{Incidence, Response, Side, Wave};
 use crate::optics::{Amplitudes, Complex, Propagation};
 
 type LaneMask = <F64x4 as Real>::Mask;
@@ -152,7 +153,7 @@ impl Film {
 
     /// Whether nothing arrives from that side.
     fn sends_no_light(&self, side: Side) -> bool {
-        side == Side::Base && self.description().is_base_opaque()
+        side == Side::Base && self.is_base_opaque()
     }
 
     /// The fields at the first surface, and the lanes that bring no light. Inputs are clamped; NaN becomes a
@@ -179,17 +180,28 @@ impl Film {
             Side::Ambient => (ambient, base),
             Side::Base => (base, ambient),
         };
-        let mut fields = Propagation::new(Incidence::new(near.re, cos_theta), far);
+        let mut fields = Propagation::new(Incidence::new(near.re, cos_theta), far, wavelength_nm);
         let layers = &description.layers;
+        let mut kept: [Option<Wave<F64x4>>; KEPT] = [None; KEPT];
         for step in 0..layers.len() {
-            let layer = match side {
-                Side::Ambient => &layers[layers.len() - 1 - step],
-                Side::Base => &layers[step],
+            let at = match side {
+                Side::Ambient => layers.len() - 1 - step,
+                Side::Base => step,
+            };
+            let layer = &layers[at];
+            let wave = match kept.get(self.repeated_media[at]) {
+                Some(Some(wave)) => *wave,
+                other => {
+                    let wave = fields.wave(layer.medium.index_lanes(wavelength_nm));
+                    if other.is_some() {
+                        kept[self.repeated_media[at]] = Some(wave);
+                    }
+                    wave
+                }
             };
             let [min, max] = layer.thickness_nm;
-            let index = layer.medium.index_lanes(wavelength_nm);
             let thickness_nm = thickness_nm.max(F64x4::new(min)).min(F64x4::new(max));
-            fields.cross(index, thickness_nm, wavelength_nm);
+            fields.cross(&wave, thickness_nm);
         }
         (fields, is_dark)
     }

@@ -1,21 +1,23 @@
 //! Reflectances of a film for arrays of arguments.
 
 use super::colors::has_nan;
+use super::evaluator::Evaluator;
 use super::film::{Film, one_by_one};
-use super::table::spline::SplineTable;
+use super::table::critical_axis::Cosine;
+use super::table::lane_table::LaneTable;
 use crate::num::{ColumnsMut, Lane, Level, Work};
 
 /// Positions of this number of elements wait in the processor's first cache.
 const BLOCK: usize = 256;
 
-/// [`Film::reflectance_lanes`] of arrays, for a film with a table over the cosine of the ambient's side.
+/// [`Film::reflectance_lanes`] of arrays, for a film whose table on the ambient's side is one spline.
 ///
 /// The operations that find a position depend on each other. If each were followed by its look-up, a
 /// processor's window would have no room left to begin the next position meanwhile. So all positions of
 /// a block are found before its first look-up.
 struct TileLookUp<'a, 'b> {
     film: &'a Film,
-    table: &'a SplineTable,
+    table: LaneTable<'a>,
     cos_theta: &'a [f32],
     thickness_nm: &'a [f32],
     reflectance: &'a mut ColumnsMut<'b, f32>,
@@ -46,7 +48,7 @@ impl Work<f32> for TileLookUp<'_, '_> {
 #[inline(always)]
 fn find_positions<L: Lane<Scalar = f32>>(
     film: &Film,
-    table: &SplineTable,
+    table: LaneTable<'_>,
     [cos_theta, thickness_nm]: [&[f32]; 2],
     [x, y]: &mut [[f32; BLOCK]; 2],
 ) {
@@ -59,9 +61,10 @@ fn find_positions<L: Lane<Scalar = f32>>(
     for ((cos_theta, thickness_nm), (x, y)) in inputs.zip(positions) {
         let [cos_theta, thickness_nm] =
             film.clamp_inputs([L::load(cos_theta), L::load(thickness_nm)]);
-        let [along_x, along_y, _] = L::channels(table.position(cos_theta, thickness_nm));
+        let [along_x, along_y, _] =
+            L::channels(table.position(Cosine::from(cos_theta), thickness_nm));
         along_x.store(x);
-        if !table.is_over_cosine() {
+        if !table.spline().is_over_cosine() {
             along_y.store(y);
         }
     }
@@ -71,7 +74,7 @@ fn find_positions<L: Lane<Scalar = f32>>(
 #[inline(always)]
 fn look_up<L: Lane<Scalar = f32>>(
     film: &Film,
-    table: &SplineTable,
+    table: LaneTable<'_>,
     [cos_theta, thickness_nm]: [&[f32]; 2],
     [x, y]: &[[f32; BLOCK]; 2],
     first: usize,
@@ -88,7 +91,7 @@ fn look_up<L: Lane<Scalar = f32>>(
             one_by_one(inputs, |c, d| film.reflectance_or_zero(c, d))
         } else {
             let y = L::load(y);
-            let rgb = table.around::<L>(L::rgb([L::load(x), y, y]));
+            let rgb = table.spline().around::<L>(L::rgb([L::load(x), y, y]));
             L::channels(film.clip::<L>(rgb))
         };
         reflectance.store(element, rgb);
@@ -106,7 +109,11 @@ impl Film {
         thickness_nm: &[f32],
         reflectance: &mut ColumnsMut<f32>,
     ) {
-        if let Some(table) = self.table().filter(|_| !level.is_scalar()) {
+        let table = match &self.evaluator {
+            Evaluator::Tables(tables) if !level.is_scalar() => tables.in_lanes(),
+            _ => None,
+        };
+        if let Some(table) = table {
             level.run(TileLookUp {
                 film: self,
                 table,
@@ -126,7 +133,6 @@ impl Film {
 mod tests {
     use super::*;
     use crate::film::description::FilmDescription;
-    use crate::film::evaluator::Evaluator;
     use crate::optics::Medium;
 
     fn constant(eta: f64, k: f64) -> Medium {
@@ -153,6 +159,11 @@ mod tests {
             transmittance: true,
             ..coated([50.0, 700.0])
         };
+        let named = |name: &str| Medium::named(name).unwrap();
+        let from_bk7 = FilmDescription {
+            ambient: named("BK7"),
+            ..FilmDescription::new(Medium::vacuum())
+        };
         let films = [
             ("table", coated([50.0, 700.0])),
             ("table", metal.layer(constant(1.33, 0.0), [0.0, 1000.0])),
@@ -161,6 +172,14 @@ mod tests {
             (
                 "table from glass",
                 from_glass.layer(constant(1.38, 0.0), [50.0, 700.0]),
+            ),
+            (
+                "table over critical angles",
+                from_bk7.clone().layer(named("MgF2"), [0.0, 300.0]),
+            ),
+            (
+                "table over critical angles",
+                from_bk7.layer(named("MgF2"), [100.0; 2]),
             ),
             ("bands", bands),
         ];
@@ -185,6 +204,7 @@ mod tests {
                 Evaluator::Tables(tables) => match tables.over_ambient_cosine() {
                     Some(table) if table.is_over_cosine() => what == "table over the cosine",
                     Some(_) => what == "table",
+                    None if tables.in_lanes().is_some() => what == "table over critical angles",
                     None => what == "table from glass",
                 },
                 _ => what == "bands",

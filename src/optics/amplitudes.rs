@@ -36,6 +36,8 @@ pub struct Amplitudes<T> {
 pub(crate) struct Propagation<T> {
     near: Incidence<T>,
     far: Wave<T>,
+    /// 1 / wavelength, per nm.
+    wavenumber: T,
     fields: [Fields<T>; 2],
     /// The product of sqrt(E / |E|) over the layers crossed.
     phase: Complex<T>,
@@ -44,21 +46,28 @@ pub(crate) struct Propagation<T> {
 impl<T: Real> Propagation<T> {
     /// The fields at the surface of the far half-space.
     #[inline(always)]
-    pub fn new(near: Incidence<T>, far: Complex<T>) -> Self {
+    pub fn new(near: Incidence<T>, far: Complex<T>, wavelength_nm: T) -> Self {
         let far = near.wave(far);
         Self {
             near,
             far,
+            wavenumber: T::new(1.0) / wavelength_nm,
             fields: [Fields::behind(&far, S), Fields::behind(&far, P)],
             phase: Complex::real(T::new(1.0)),
         }
     }
 
+    /// The wave in a layer of that index, for [`Propagation::cross`].
+    #[inline(always)]
+    pub fn wave(&self, index: Complex<T>) -> Wave<T> {
+        self.near.wave(index)
+    }
+
     /// The fields on the near side of a layer. One of thickness 0 changes nothing.
     #[inline(always)]
-    pub fn cross(&mut self, index: Complex<T>, thickness_nm: T, wavelength_nm: T) {
-        let thickness_nm = thickness_nm.min(wavelength_nm * T::new(THICKEST));
-        let slab = Slab::new(&self.near.wave(index), thickness_nm, wavelength_nm);
+    pub fn cross(&mut self, wave: &Wave<T>, thickness_nm: T) {
+        let thickness = (thickness_nm * self.wavenumber).min(T::new(THICKEST));
+        let slab = Slab::in_wavelengths(wave, thickness);
         self.fields = [
             self.fields[S].through(&slab, S),
             self.fields[P].through(&slab, P),

@@ -147,6 +147,22 @@ impl Medium {
         }
     }
 
+    /// Whether both media have the same indices, because they are given by the same name or the same numbers.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (Kind::Named(one), Kind::Named(other)) => std::ptr::eq(*one, *other),
+            (Kind::Rgb(one), Kind::Rgb(other)) => one == other,
+            (
+                Kind::Table { lambda_nm, index },
+                Kind::Table {
+                    lambda_nm: other_nm,
+                    index: other,
+                },
+            ) => lambda_nm == other_nm && index == other,
+            _ => false,
+        }
+    }
+
     /// The index, if it is the same at every wavelength.
     pub fn constant(&self) -> Option<Complex<f64>> {
         match &self.0 {

@@ -28,7 +28,7 @@ pub use fresnel::{
 };
 pub use media::NamedMedium;
 pub use reference::{Converged, Reference, TOLERANCE};
-pub use refraction::Interface;
+pub use refraction::{Interface, critical_cosine};
 pub use spectral_grid::{attenuation_per_mm, branches_nm};
 
 /// The wavelengths that stand for red, green and blue, nm (GH02 section 1).

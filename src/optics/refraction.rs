@@ -2,6 +2,13 @@
 
 use crate::num::{Lane, Real, Vec3};
 
+/// The cosine of the critical angle in a medium of that index beside another one; `None` unless the other is less.
+pub fn critical_cosine(near: f64, far: f64) -> Option<f64> {
+    let ratio = far / near;
+    let squared = (1.0 - ratio) * (1.0 + ratio);
+    (squared > 0.0).then(|| squared.sqrt())
+}
+
 /// The interface between an outer medium (z > 0) and an inner one (z < 0), both transparent.
 #[derive(Clone, Copy, Debug)]
 pub struct Interface<T> {

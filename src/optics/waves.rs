@@ -167,7 +167,12 @@ impl<T: Real> Slab<T> {
     /// The matrix of a layer of that thickness for a wave in its medium.
     #[inline(always)]
     pub fn new(wave: &Wave<T>, thickness_nm: T, wavelength_nm: T) -> Self {
-        let thickness = thickness_nm / wavelength_nm;
+        Self::in_wavelengths(wave, thickness_nm / wavelength_nm)
+    }
+
+    /// [`Slab::new`], of a thickness in vacuum wavelengths.
+    #[inline(always)]
+    pub(crate) fn in_wavelengths(wave: &Wave<T>, thickness: T) -> Self {
         let crossing = Crossing::new(wave.immittance[S], thickness);
         let permittivity = wave.index * wave.index;
         Self {

@@ -102,7 +102,7 @@ const LOST_IN_BASE: &str = "what enters the base is absorbed, as the film keeps 
 
 /// Whether the BSDF has transmission.
 fn transmits(film: &Film) -> bool {
-    film.description().transmittance && !film.description().is_base_opaque()
+    film.description().transmittance && !film.is_base_opaque()
 }
 
 /// The refraction of directions between the half-spaces.
@@ -417,7 +417,7 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
     }
 
     fn plan(&self) -> Vec<&'static str> {
-        let is_lost = self.refraction.is_none() && !self.film.description().is_base_opaque();
+        let is_lost = self.refraction.is_none() && !self.film.is_base_opaque();
         is_lost.then_some(LOST_IN_BASE).into_iter().collect()
     }
 }

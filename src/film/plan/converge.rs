@@ -7,6 +7,7 @@ use crate::film::description::FilmDescription;
 use crate::film::fringe_series::series::FringeSeries;
 use crate::film::table::errors::Errors;
 use crate::optics::Reference;
+use crate::optics::critical_cosine;
 use crate::optics::stack::Side;
 use std::f64::consts::TAU;
 
@@ -229,12 +230,9 @@ fn at_branches(description: &FilmDescription) -> Vec<(Side, f64, f64)> {
         (0..BRANCHES).filter_map(move |i| {
             let part = i as f64 / (BRANCHES - 1) as f64;
             let nm = 1.0 / (first + part * (last - first));
-            let ratio = far.index(nm).re / near.index(nm).re;
+            let cosine = critical_cosine(near.index(nm).re, far.index(nm).re)?;
             let thickness_nm = least + (0.569_840_291 * i as f64).fract() * (greatest - least);
-            (ratio < 1.0).then(|| {
-                let cosine = ((1.0 - ratio) * (1.0 + ratio)).sqrt();
-                (side, cosine, thickness_nm)
-            })
+            Some((side, cosine, thickness_nm))
         })
     });
     points.collect()

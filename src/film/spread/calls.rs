@@ -6,7 +6,7 @@ use crate::film::Film;
 use crate::film::colors::{Colors, has_nan};
 use crate::film::evaluator::Evaluator;
 use crate::film::film::one_by_one;
-use crate::film::table::levelled::Spread;
+use crate::film::table::levels::Spread;
 use crate::num::{Lane, Rgb};
 use crate::optics::stack::Side;
 
@@ -80,7 +80,7 @@ impl Film {
         self.check_spread(deviation_nm)?;
         if deviation_nm == 0.0
             || !self.description().transmittance
-            || side == Side::Base && self.description().is_base_opaque()
+            || side == Side::Base && self.is_base_opaque()
         {
             return self.colors(side, cos_theta, thickness_nm);
         }

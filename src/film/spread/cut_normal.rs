@@ -112,6 +112,12 @@ impl Rule {
         count: 0,
     };
 
+    /// The number of nodes.
+    #[inline(always)]
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
     /// Nodes and weights.
     #[inline(always)]
     pub fn iter(&self) -> impl Iterator<Item = (f32, f32)> + '_ {

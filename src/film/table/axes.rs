@@ -56,6 +56,16 @@ pub(in crate::film) struct AxisParams {
 }
 
 impl AxisParams {
+    /// The least and the greatest scale, least, half, tilt and fade of axes that are loaded. Within them no position
+    /// leaves the table.
+    const ACCEPTED: [[f64; 2]; 5] = [
+        [1e-4, 1e4],
+        [1e-12, 1e6],
+        [1e-12, 1e6],
+        [0.0, 0.95],
+        [1e-4, 1e6],
+    ];
+
     pub(in crate::film) fn save(&self, block: &mut ByteWriter) {
         let Self {
             scale,
@@ -69,12 +79,13 @@ impl AxisParams {
 
     /// Reads parameters with which coordinates neither overflow nor vanish.
     pub(in crate::film) fn load(block: &mut ByteReader<'_>) -> Result<Self, Error> {
+        let [scale, least, half, tilt, fade] = Self::ACCEPTED;
         let loaded = Self {
-            scale: block.number_within("the scale of an axis", [1e-4, 1e4])?,
-            least: block.number_within("the least thickness of an axis", [1e-12, 1e6])?,
-            half: block.number_within("the half thickness of an axis", [1e-12, 1e6])?,
-            tilt: block.number_within("the tilt of an axis", [0.0, 0.95])?,
-            fade: block.number_within("the fade of an axis", [1e-4, 1e6])?,
+            scale: block.number_within("the scale of an axis", scale)?,
+            least: block.number_within("the least thickness of an axis", least)?,
+            half: block.number_within("the half thickness of an axis", half)?,
+            tilt: block.number_within("the tilt of an axis", tilt)?,
+            fade: block.number_within("the fade of an axis", fade)?,
         };
         if loaded.least > loaded.half {
             return Err(unusable("the thicknesses of an axis are reversed"));
@@ -220,7 +231,59 @@ impl Coordinates {
 
 #[cfg(test)]
 mod tests {
+    use super::super::spline::MOST_LOADED;
     use super::*;
+
+    /// Against a loaded axis that leads beyond the table, whose look-up would then panic: whatever its parameters are, a
+    /// position is at most a quarter of a step outside, for every cosine and thickness of ranges up to the widest.
+    #[test]
+    fn positions_stay_within_the_table() {
+        let accepted = AxisParams::ACCEPTED;
+        let mut count = 0;
+        for choice in 0..3usize.pow(5) {
+            let number = |i: usize| {
+                let [least, greatest] = accepted[i];
+                match choice / 3usize.pow(i as u32) % 3 {
+                    0 => least,
+                    1 => (least.max(1e-3) * greatest).sqrt(),
+                    _ => greatest,
+                }
+            };
+            let [scale, least, half, tilt, fade] = std::array::from_fn(number);
+            if least > half {
+                continue;
+            }
+            let params = AxisParams {
+                scale,
+                least,
+                half,
+                tilt,
+                fade,
+            };
+            for range in [[0.0, 1e-3], [0.0, 1e8], [1e8 - 8.0, 1e8], [100.0, 900.0]] {
+                let range = range.map(|nm| f64::from(nm as f32));
+                for steps in [4, MOST_LOADED] {
+                    let coordinates = Axes::new(params, range).coordinates([steps; 2]);
+                    for c in [0.0, 1e-9, 1e-3, 0.3, 0.8, 1.0 - f32::EPSILON, 1.0] {
+                        let alone = coordinates.over_cosine(c);
+                        assert!((-0.25..=steps as f32 + 0.25).contains(&alone), "{params:?}");
+                        for part in [0.0, 1e-6, 0.5, 1.0] {
+                            let d = (range[0] + part * (range[1] - range[0])) as f32;
+                            for position in f32::channels(coordinates.at(c, d)) {
+                                let allowed = -0.25..=steps as f32 + 0.25;
+                                assert!(
+                                    allowed.contains(&position),
+                                    "{params:?}, {range:?}: {position} of {steps} at {c}, {d} nm"
+                                );
+                                count += 1;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(count > 100_000);
+    }
 
     /// Against a wrong inverse: the coordinates of the point at (x, y) are (x, y).
     #[test]

@@ -1,8 +1,10 @@
 //! The tables of a film between half-spaces whose relative index is the same at all wavelengths.
 
 use super::critical::{MIDDLE_NM, centres};
+use super::critical_axis::Cosine;
 use super::errors::Errors;
 use super::film_table::Over;
+use super::lane_table::LaneTable;
 use super::levelled::{LevelledTable, Thickness};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
@@ -43,9 +45,9 @@ pub(in crate::film) struct ConstantSides {
 /// The zone of a direction.
 enum Zone {
     /// Below the critical angle, at this cosine in the rarer half-space.
-    Below(f64),
+    Below(Cosine<f32>),
     /// Beyond the critical angle, at this kappa / (kappa + cos).
-    Beyond(f64),
+    Beyond(f32),
 }
 
 impl ConstantSides {
@@ -196,9 +198,23 @@ impl ConstantSides {
         }
     }
 
+    /// The same table for lanes.
+    pub(super) fn in_lanes(&self) -> Option<LaneTable<'_>> {
+        if self.rarer == Side::Ambient {
+            self.front.in_lanes()
+        } else {
+            None
+        }
+    }
+
     fn others(&self) -> impl Iterator<Item = &LevelledTable> {
         let others = [&self.through, &self.back, &self.beyond];
         others.into_iter().flatten().map(Box::as_ref)
+    }
+
+    #[cfg(test)]
+    pub(super) fn front(&self) -> &LevelledTable {
+        &self.front
     }
 
     /// Estimated time of the look-ups of a call from a side, ns.
@@ -230,18 +246,18 @@ impl ConstantSides {
 
     #[inline(always)]
     fn zone(&self, side: Side, cos_theta: f32) -> Zone {
-        let c = f64::from(cos_theta);
         if side == self.rarer || self.ratio == 1.0 {
-            return Zone::Below(c);
+            return Zone::Below(cos_theta.into());
         }
+        let c = f64::from(cos_theta);
         // In this order of operations a small cosine keeps its digits between media of similar index.
         let rare_squared = (1.0 - self.ratio) + self.ratio * c * c;
         if rare_squared >= 0.0 {
-            return Zone::Below(rare_squared.sqrt());
+            return Zone::Below(Cosine::of_f64(rare_squared.sqrt()));
         }
         let kappa = (-rare_squared / (self.ratio - 1.0)).sqrt();
         let part = c / (1.0 - 1.0 / self.ratio).sqrt();
-        Zone::Beyond(kappa / (kappa + part))
+        Zone::Beyond((kappa / (kappa + part)) as f32)
     }
 
     /// Reflectance from the ambient's side, not clipped.
@@ -277,9 +293,9 @@ impl ConstantSides {
         }
     }
 
-    fn reflectance_beyond<T: Thickness>(&self, t: f64, thickness: T) -> Rgb<f32> {
+    fn reflectance_beyond<T: Thickness>(&self, t: f32, thickness: T) -> Rgb<f32> {
         let table = self.beyond.as_ref();
-        table.map_or([1.0; 3], |table| thickness.color(table, t))
+        table.map_or([1.0; 3], |table| thickness.color(table, t.into()))
     }
 }
 

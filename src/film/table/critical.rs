@@ -1,9 +1,8 @@
-//! A coordinate for cosines at which the colours change within narrow intervals: around the critical angles.
+//! Cosines at which the colours change within narrow intervals: around the critical angles.
 
-use crate::error::Error;
 use crate::film::description::FilmDescription;
-use crate::num::bytes::{ByteReader, ByteWriter, unusable};
-use crate::optics::{Medium, VISIBLE_NM};
+
+use crate::optics::{Medium, VISIBLE_NM, critical_cosine};
 
 /// Wavenumbers at which the critical cosines are looked at.
 const SAMPLES: usize = 64;
@@ -21,12 +20,7 @@ const WIDE: f64 = 0.02;
 /// Layers that absorb more have no critical angle.
 const ABSORBING: f64 = 0.05;
 /// The greatest number of critical angles that are told apart.
-const MOST_CENTRES: usize = 4;
-/// The greatest number of centres of an axis that is loaded, with [`Centre::GRAZING`].
-const MOST_LOADED: usize = MOST_CENTRES + 1;
-/// The least cosine in a layer by which fringes are made upright.
-const LEAST_UPRIGHT: f64 = 0.2;
-const HALVINGS: usize = 60;
+pub(super) const MOST_CENTRES: usize = 4;
 /// The wavelength whose indices decide where total reflection begins and how fringes bend, nm: near the
 /// eye's greatest sensitivity.
 pub(super) const MIDDLE_NM: f64 = 550.0;
@@ -34,8 +28,8 @@ pub(super) const MIDDLE_NM: f64 = 550.0;
 /// A critical cosine, and the width of the change there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Centre {
-    cosine: f64,
-    width: f64,
+    pub cosine: f64,
+    pub width: f64,
 }
 
 impl Centre {
@@ -44,111 +38,6 @@ impl Centre {
         cosine: 0.0,
         width: 1e-4,
     };
-}
-
-/// Maps cosines in [0, 1] to [0, 1]. Around a critical cosine c0 of width w the colours are smooth functions of
-///
-/// ```text
-/// p = v / (v^2 + w^2)^(1/4)     v = c - c0
-/// ```
-///
-/// which is the root of v far from it, as Fresnel's amplitudes are, and v / sqrt(w) close to it. The coordinate is
-/// the sum of asinh(p / sqrt(w)) over all critical cosines: its steps are in proportion to p, from sqrt(w) on.
-#[derive(Clone, Debug)]
-pub(super) struct CriticalAxis {
-    centres: Box<[Centre]>,
-    /// The sum at the cosine 0, and 1 over the difference from that at the cosine 1.
-    first: f64,
-    scale: f64,
-    /// The square of the ratio of the near half-space's index and the varying layer's.
-    tilt: f64,
-}
-
-impl CriticalAxis {
-    pub fn new(centres: &[Centre], tilt: f64) -> Self {
-        let mut axis = Self {
-            centres: centres.into(),
-            first: 0.0,
-            scale: 1.0,
-            tilt,
-        };
-        axis.first = axis.coordinate(0.0);
-        axis.scale = 1.0 / axis.coordinate(1.0);
-        axis
-    }
-
-    /// The number of critical angles.
-    pub fn centres(&self) -> usize {
-        self.centres.len()
-    }
-
-    pub fn save(&self, block: &mut ByteWriter) {
-        let Self {
-            centres,
-            first: _,
-            scale: _,
-            tilt,
-        } = self;
-        block.count(centres.len());
-        for Centre { cosine, width } in centres {
-            block.numbers(&[*cosine, *width]);
-        }
-        block.numbers(&[*tilt]);
-    }
-
-    /// Reads an axis.
-    pub fn load(block: &mut ByteReader<'_>) -> Result<Self, Error> {
-        let count = block.count(size_of::<[f64; 2]>(), MOST_LOADED)?;
-        if count == 0 {
-            return Err(unusable("an axis has no centre"));
-        }
-        let mut centres = Error::reserve(count, "a film's axis")?;
-        for _ in 0..count {
-            centres.push(Centre {
-                cosine: block.number_within("a critical cosine", [0.0, 1.0])?,
-                width: block.number_within("the width of a critical angle", [1e-9, 1.0])?,
-            });
-        }
-        // The square of a ratio of two indices.
-        let tilt = block.number_within("the tilt of an axis", [0.0, 1e12])?;
-        Ok(Self::new(&centres, tilt))
-    }
-
-    /// The coordinate of a cosine.
-    #[inline(always)]
-    pub fn coordinate(&self, cos_theta: f64) -> f64 {
-        let of = |centre: &Centre| {
-            let v = cos_theta - centre.cosine;
-            let root = (v * v + centre.width * centre.width).sqrt();
-            // p / sqrt(w), and asinh of it.
-            let p = v.abs() / (root * centre.width).sqrt();
-            (p + (p * p + 1.0).sqrt()).ln().copysign(v)
-        };
-        let sum: f64 = self.centres.iter().map(of).sum();
-        (sum - self.first) * self.scale
-    }
-
-    /// The cosine of a coordinate.
-    pub fn cosine(&self, x: f64) -> f64 {
-        let [mut low, mut high] = [0.0, 1.0];
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if self.coordinate(middle) < x {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        0.5 * (low + high)
-    }
-
-    /// The cosine in the layer that varies, at least [`LEAST_UPRIGHT`]: fringes lie along constant products of it and
-    /// the thickness.
-    #[inline(always)]
-    pub fn upright(&self, cos_theta: f64) -> f64 {
-        let squared = 1.0 - self.tilt * (1.0 - cos_theta * cos_theta);
-        squared.max(LEAST_UPRIGHT * LEAST_UPRIGHT).sqrt()
-    }
 }
 
 /// The critical cosines for light in a medium: those of the other half-space `far`, if there is one and it has any,
@@ -165,13 +54,15 @@ pub(super) fn centres(
     for layer in &description.layers {
         let index = layer.medium.index(MIDDLE_NM);
         let thickness_nm = layer.thickness_nm[1];
-        let ratio = index.re / near.index(MIDDLE_NM).re;
-        if index.im > ABSORBING || ratio >= 1.0 || thickness_nm == 0.0 {
+        let near_index = near.index(MIDDLE_NM).re;
+        let Some(cosine) = critical_cosine(near_index, index.re) else {
+            continue;
+        };
+        if index.im > ABSORBING || thickness_nm == 0.0 {
             continue;
         }
         // A layer begins to transmit where q d is about lambda / (2 pi).
-        let cosine = (1.0 - ratio * ratio).sqrt();
-        let decay = MIDDLE_NM / (std::f64::consts::TAU * thickness_nm * near.index(MIDDLE_NM).re);
+        let decay = MIDDLE_NM / (std::f64::consts::TAU * thickness_nm * near_index);
         let width = decay * decay / (2.0 * cosine);
         if width < WIDE {
             add(&mut found, near, &layer.medium, width.max(LEAST_WIDTH));
@@ -187,9 +78,7 @@ fn add(found: &mut Vec<Centre>, near: &Medium, medium: &Medium, least_width: f64
     let step = (last - first) / (SAMPLES - 1) as f64;
     let cosines = (0..SAMPLES).filter_map(|i| {
         let nm = 1.0 / (first + i as f64 * step);
-        let ratio = medium.index(nm).re / near.index(nm).re;
-        let squared = (1.0 - ratio) * (1.0 + ratio);
-        (squared > 0.0).then(|| squared.sqrt())
+        critical_cosine(near.index(nm).re, medium.index(nm).re)
     });
     let mut cosines: Vec<f64> = cosines.collect();
     cosines.sort_by(f64::total_cmp);

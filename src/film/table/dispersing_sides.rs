@@ -3,6 +3,7 @@
 use super::critical::{MIDDLE_NM, centres};
 use super::errors::Errors;
 use super::film_table::Over;
+use super::lane_table::LaneTable;
 use super::levelled::{LevelledTable, Thickness};
 use super::series_sampler::SeriesSampler;
 use super::spline::SplineTable;
@@ -30,6 +31,8 @@ struct OneSide {
     reflectance: LevelledTable,
     /// `None`: 1 - reflectance, as nothing absorbs.
     transmittance: Option<Box<LevelledTable>>,
+    /// Whether both tables share their axis.
+    has_one_axis: bool,
 }
 
 impl DispersingSides {
@@ -88,11 +91,21 @@ impl DispersingSides {
         self.front.reflectance.over_cosine()
     }
 
+    /// The table of the reflectance from the ambient's side, for lanes.
+    pub(super) fn in_lanes(&self) -> Option<LaneTable<'_>> {
+        self.front.reflectance.in_lanes()
+    }
+
     fn tables(&self) -> impl Iterator<Item = &LevelledTable> {
         let sides = std::iter::once(&self.front).chain(self.back.as_deref());
         sides.flat_map(|side| {
             std::iter::once(&side.reflectance).chain(side.transmittance.as_deref())
         })
+    }
+
+    #[cfg(test)]
+    pub(super) fn front(&self) -> &LevelledTable {
+        &self.front.reflectance
     }
 
     /// Estimated time of the look-ups of a call from a side, ns; 0 if no light is asked for from it.
@@ -113,7 +126,7 @@ impl DispersingSides {
     }
 
     pub(super) fn reflectance<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Rgb<f32> {
-        thickness.color(&self.front.reflectance, f64::from(cos_theta))
+        thickness.color(&self.front.reflectance, cos_theta.into())
     }
 
     pub(super) fn colors<T: Thickness>(&self, side: Side, cos_theta: f32, thickness: T) -> Colors {
@@ -161,10 +174,16 @@ impl OneSide {
                 return Ok(None);
             }
         }
-        Ok(Some(Self {
+        Ok(Some(Self::new(reflectance, transmittance.map(Box::new))))
+    }
+
+    fn new(reflectance: LevelledTable, transmittance: Option<Box<LevelledTable>>) -> Self {
+        let table = transmittance.as_ref();
+        Self {
+            has_one_axis: table.is_some_and(|table| table.shares_axis(&reflectance)),
             reflectance,
-            transmittance: transmittance.map(Box::new),
-        }))
+            transmittance,
+        }
     }
 
     fn cost_ns(&self) -> f64 {
@@ -176,24 +195,27 @@ impl OneSide {
         let Self {
             reflectance,
             transmittance,
+            has_one_axis: _,
         } = self;
         reflectance.save(block);
         LevelledTable::save_optional(transmittance.as_deref(), block);
     }
 
     fn load(block: &mut ByteReader<'_>, description: &FilmDescription) -> Result<Self, Error> {
-        Ok(Self {
-            reflectance: LevelledTable::load(block, description)?,
-            transmittance: LevelledTable::load_optional(block, description)?,
-        })
+        let reflectance = LevelledTable::load(block, description)?;
+        let transmittance = LevelledTable::load_optional(block, description)?;
+        Ok(Self::new(reflectance, transmittance))
     }
 
     fn colors<T: Thickness>(&self, cos_theta: f32, thickness: T) -> Colors {
-        let c = f64::from(cos_theta);
-        let reflectance = thickness.color(&self.reflectance, c);
-        let transmittance = match &self.transmittance {
-            Some(table) => thickness.color(table, c),
-            None => reflectance.map(|r| 1.0 - r),
+        let c = cos_theta.into();
+        let [reflectance, transmittance] = match &self.transmittance {
+            Some(table) if self.has_one_axis => thickness.both([&self.reflectance, table], c),
+            Some(table) => [&self.reflectance, table].map(|table| thickness.color(table, c)),
+            None => {
+                let reflectance = thickness.color(&self.reflectance, c);
+                [reflectance, reflectance.map(|r| 1.0 - r)]
+            }
         };
         Colors {
             reflectance,

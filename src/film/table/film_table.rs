@@ -1,12 +1,15 @@
 //! The colours of a film over the cosine in one medium, and over the thickness of the layer that varies.
 
 use super::axes::LEAST_NM;
-use super::critical::{Centre, CriticalAxis, MIDDLE_NM};
+use super::critical::{Centre, MIDDLE_NM};
+use super::critical_axis::{Cosine, CriticalAxis};
 use super::errors::Errors;
 use super::fit;
-use super::patches::{PatchSource, Patches};
+use super::lane_table::LaneTable;
+use super::patches::Patches;
 use super::spline::SplineTable;
-use super::task::{ColorSource, FitLimits, FitTask};
+use super::task::{ColorSource, FitLimits};
+use super::warped::{Shape, Warped};
 use crate::error::Error;
 use crate::film::description::FilmDescription;
 use crate::num::bytes::{ByteReader, ByteWriter};
@@ -19,11 +22,9 @@ const MOST_WARPED: usize = 12_000;
 /// a patch.
 const OVER_COSINE_NS: f64 = 5.0;
 const OVER_BOTH_NS: f64 = 13.0;
-const COORDINATE_NS: f64 = 20.0;
-const CENTRE_NS: f64 = 20.0;
-const PATCH_NS: f64 = 10.0;
-/// At smaller cosines than this, films thinner than [`LEAST_NM`] have no tolerance.
-const LEAST_VANISHING_COSINE: f64 = 1e-4;
+const COORDINATE_NS: f64 = 10.0;
+const CENTRE_NS: f64 = 1.0;
+const PATCH_NS: f64 = 20.0;
 /// Below 1, so that thicknesses stay finite where light in the film goes along it.
 const GREATEST_TILT: f64 = 0.9;
 
@@ -35,23 +36,6 @@ pub(super) enum FilmTable {
     Plain(SplineTable),
     /// One spline, or many, over a coordinate that spreads the critical angles.
     Warped(Box<Warped>),
-}
-
-/// A table over the coordinate of an axis, and over the product of thickness and the cosine in the layer.
-#[derive(Clone, Debug)]
-pub(super) struct Warped {
-    axis: CriticalAxis,
-    /// Least and greatest thickness, nm.
-    range: [f64; 2],
-    shape: Shape,
-}
-
-#[derive(Clone, Debug)]
-enum Shape {
-    /// One spline over both.
-    Spline(SplineTable),
-    /// Patches over the axis and the root of the path's part of its range.
-    Patches(Patches),
 }
 
 /// How a saved table begins, by its kind.
@@ -83,7 +67,7 @@ impl FilmTable {
         };
         let tilt = tilt(description, index);
         if centres.is_empty() {
-            let plain = fitted(description, source, range, tilt.min(GREATEST_TILT), limits)?;
+            let plain = fit::of_film(description, source, range, tilt.min(GREATEST_TILT), limits)?;
             if let Some((spline, errors)) = plain {
                 return Ok(Some((Self::Plain(spline), errors)));
             }
@@ -106,11 +90,29 @@ impl FilmTable {
 
     /// The colours at a cosine and a thickness within its range, nm.
     #[inline(always)]
-    pub fn at(&self, cos_theta: f64, thickness_nm: f32) -> Rgb<f32> {
+    pub fn at(&self, cosine: Cosine<f32>, thickness_nm: f32) -> Rgb<f32> {
         match self {
-            Self::Plain(spline) => f32::channels(spline.at(cos_theta as f32, thickness_nm)),
-            Self::Warped(warped) => warped.at(cos_theta, thickness_nm),
+            Self::Plain(spline) => f32::channels(spline.at(cosine.value(), thickness_nm)),
+            Self::Warped(warped) => warped.at(cosine, thickness_nm),
         }
+    }
+
+    /// Whether both tables have one spline each, over the same coordinate.
+    pub fn shares_axis(&self, other: &Self) -> bool {
+        let warped = [self, other].map(|table| table.in_lanes()?.warped);
+        matches!(warped, [Some(one), Some(other)] if one.axis.is_like(&other.axis))
+    }
+
+    /// The colours of two tables that share their axis: the coordinate is found once.
+    #[inline(always)]
+    pub fn both_at(tables: [&Self; 2], cosine: Cosine<f32>, thickness_nm: f32) -> [Rgb<f32>; 2] {
+        if let [Self::Warped(one), Self::Warped(other)] = tables
+            && let [Shape::Spline(first), Shape::Spline(second)] = [&one.shape, &other.shape]
+        {
+            let [x, path] = one.spline_arguments(cosine, thickness_nm, first);
+            return [first.at(x, path), second.at(x, path)].map(f32::channels);
+        }
+        tables.map(|table| table.at(cosine, thickness_nm))
     }
 
     /// Estimated time of a look-up, ns.
@@ -134,6 +136,23 @@ impl FilmTable {
         match self {
             Self::Plain(spline) => Some(spline),
             Self::Warped(_) => None,
+        }
+    }
+
+    /// The table for lanes; `None` for patches.
+    pub fn in_lanes(&self) -> Option<LaneTable<'_>> {
+        match self {
+            Self::Plain(spline) => Some(LaneTable {
+                warped: None,
+                spline,
+            }),
+            Self::Warped(warped) => match &warped.shape {
+                Shape::Spline(spline) => Some(LaneTable {
+                    warped: Some(warped),
+                    spline,
+                }),
+                Shape::Patches(_) => None,
+            },
         }
     }
 
@@ -209,90 +228,6 @@ fn spline_ns(spline: &SplineTable) -> f64 {
     }
 }
 
-impl Warped {
-    fn fit(
-        description: &FilmDescription,
-        source: &mut ColorSource<'_>,
-        axis: CriticalAxis,
-        range: [f64; 2],
-        limits: FitLimits,
-    ) -> Result<Option<(Self, Errors)>, Error> {
-        let mut last = LastCosine::new(&axis);
-        let mut warped = |x: f64, path: f64| {
-            let (c, upright) = last.at(x);
-            source(c, range[0] + (path - range[0]) / upright)
-        };
-        let fitted = fitted(description, &mut warped, range, 0.0, limits)?;
-        Ok(fitted.map(|(spline, errors)| {
-            let shape = Shape::Spline(spline);
-            (Self { axis, range, shape }, errors)
-        }))
-    }
-
-    fn fit_patches(
-        source: &mut ColorSource<'_>,
-        axis: CriticalAxis,
-        range: [f64; 2],
-        limits: FitLimits,
-    ) -> Result<Option<(Self, Errors)>, Error> {
-        let [least, greatest] = range;
-        let thickness = |upright: f64, y: f64| least + y * y * (greatest - least) / upright;
-        let mut last = LastCosine::new(&axis);
-        let fitted = Patches::fit(
-            PatchSource {
-                color: &mut |x, y| {
-                    let (c, upright) = last.at(x);
-                    source(c, thickness(upright, y))
-                },
-                is_seen: &|x, y| thickness(axis.upright(axis.cosine(x)), y) <= greatest,
-                // Thinner films at smaller cosines have none, see Film.
-                has_tolerance: &|x, y| {
-                    let c = axis.cosine(x);
-                    thickness(axis.upright(c), y) >= LEAST_NM || c >= LEAST_VANISHING_COSINE
-                },
-            },
-            limits,
-        )?;
-        Ok(fitted.map(|(patches, errors)| {
-            let shape = Shape::Patches(patches);
-            (Self { axis, range, shape }, errors)
-        }))
-    }
-
-    fn at(&self, cos_theta: f64, thickness_nm: f32) -> Rgb<f32> {
-        let [least, greatest] = self.range;
-        let path = (f64::from(thickness_nm) - least) * self.axis.upright(cos_theta);
-        let x = self.axis.coordinate(cos_theta);
-        match &self.shape {
-            Shape::Spline(spline) => f32::channels(spline.at(x as f32, (least + path) as f32)),
-            Shape::Patches(patches) => patches.at([x, (path / (greatest - least)).sqrt()]),
-        }
-    }
-}
-
-/// The cosine of a coordinate, and its cosine in the layer; equal coordinates one after another are found once.
-struct LastCosine<'a> {
-    axis: &'a CriticalAxis,
-    last: [f64; 3],
-}
-
-impl<'a> LastCosine<'a> {
-    fn new(axis: &'a CriticalAxis) -> Self {
-        Self {
-            axis,
-            last: [f64::NAN; 3],
-        }
-    }
-
-    fn at(&mut self, x: f64) -> (f64, f64) {
-        if self.last[0] != x {
-            let c = self.axis.cosine(x);
-            self.last = [x, c, self.axis.upright(c)];
-        }
-        (self.last[1], self.last[2])
-    }
-}
-
 /// (n0 / n1)^2 of the medium that the cosine is in and the layer that varies; 0 without fringes.
 fn tilt(description: &FilmDescription, index: Option<f64>) -> f64 {
     let (Some(index), Some(varying)) = (index, description.varying()) else {
@@ -312,23 +247,4 @@ fn tilt(description: &FilmDescription, index: Option<f64>) -> f64 {
 fn table_range(thickness_nm: [f64; 2]) -> [f64; 2] {
     let [least, greatest] = thickness_nm.map(|x| f64::from(x as f32));
     [least, greatest.max(least + LEAST_NM)]
-}
-
-fn fitted(
-    description: &FilmDescription,
-    source: &mut ColorSource<'_>,
-    range: [f64; 2],
-    tilt: f64,
-    limits: FitLimits,
-) -> Result<Option<fit::Fitted>, Error> {
-    if description.varying().is_none() {
-        return fit::over_cosine(source, limits);
-    }
-    fit::over_both(&mut FitTask {
-        source,
-        range,
-        tilt,
-        is_costly: description.layers.len() > 1,
-        limits,
-    })
 }

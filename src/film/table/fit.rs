@@ -6,6 +6,7 @@ use super::errors::{self, Errors};
 use super::spline::{SplineTable, reserve};
 use super::task::{ColorSource, FitLimits, FitTask};
 use crate::error::Error;
+use crate::film::description::FilmDescription;
 use crate::num::spline::LEAST_VALUES;
 
 /// A table, and its errors between its values.
@@ -30,6 +31,26 @@ const ATTEMPTS: usize = 8;
 /// The number of values for an estimate, within the limits of a table.
 fn bounded(estimate: f64, limit: usize) -> usize {
     (estimate.ceil().min(1e6) as usize + 3).clamp(LEAST_VALUES + 2, limit)
+}
+
+/// A table over the cosine, or over the thickness too if a layer varies within this range, nm.
+pub(super) fn of_film(
+    description: &FilmDescription,
+    source: &mut ColorSource<'_>,
+    range: [f64; 2],
+    tilt: f64,
+    limits: FitLimits,
+) -> Result<Option<Fitted>, Error> {
+    if description.varying().is_none() {
+        return over_cosine(source, limits);
+    }
+    over_both(&mut FitTask {
+        source,
+        range,
+        tilt,
+        is_costly: description.layers.len() > 1,
+        limits,
+    })
 }
 
 /// A table over the cosine alone; `None` if the limits cannot be met.

@@ -23,7 +23,7 @@ pub(in crate::film) struct SplineTable {
 
 /// The greatest number of values along a coordinate of a table that is loaded: positions in single precision are
 /// exact enough to stay within it.
-const MOST_LOADED: usize = 1 << 17;
+pub(super) const MOST_LOADED: usize = 1 << 17;
 
 impl SplineTable {
     /// Over the cosine alone, through values at equal steps of x, at least
@@ -88,31 +88,12 @@ impl SplineTable {
         } else {
             (Axes::new(params, range), [row - 3, rows - 3])
         };
-        let table = Self {
+        Ok(Self {
             coordinates: axes.coordinates(steps),
             points: block.colors(rows * row.max(1))?.into(),
             row,
             params,
-        };
-        table.check_positions(range, steps)?;
-        Ok(table)
-    }
-
-    /// Refuses axes that lead beyond the values. Positions grow with the cosine and with the thickness, so that the
-    /// corners tell.
-    fn check_positions(&self, range: [f64; 2], steps: [usize; 2]) -> Result<(), Error> {
-        let is_within = |position: f32, steps: usize| {
-            (-0.25..=steps as f64 + 0.25).contains(&f64::from(position))
-        };
-        for cos_theta in [0.0, 1.0] {
-            for thickness_nm in range {
-                let [x, y, _] = f32::channels(self.position(cos_theta, thickness_nm as f32));
-                if !is_within(x, steps[0]) || !(self.is_over_cosine() || is_within(y, steps[1])) {
-                    return Err(unusable("the axes of a table do not fit"));
-                }
-            }
-        }
-        Ok(())
+        })
     }
 
     /// The colours at cosines in [0, 1] and thicknesses within the range, nm; 0 for a table over the

@@ -3,6 +3,9 @@
 use super::constant_sides::ConstantSides;
 use super::dispersing_sides::DispersingSides;
 use super::errors::Errors;
+use super::lane_table::LaneTable;
+#[cfg(test)]
+use super::levelled::LevelledTable;
 use super::levelled::Thickness;
 use super::spline::SplineTable;
 use super::task::FitLimits;
@@ -66,6 +69,23 @@ impl TwoSidedTables {
         match self {
             Self::Constant(sides) => sides.over_ambient_cosine(),
             Self::Dispersing(sides) => sides.over_ambient_cosine(),
+        }
+    }
+
+    /// The table of the reflectance from the ambient's side for lanes, if it is one spline.
+    pub(in crate::film) fn in_lanes(&self) -> Option<LaneTable<'_>> {
+        match self {
+            Self::Constant(sides) => sides.in_lanes(),
+            Self::Dispersing(sides) => sides.in_lanes(),
+        }
+    }
+
+    /// The table of the reflectance from the ambient's side.
+    #[cfg(test)]
+    pub(super) fn front(&self) -> &LevelledTable {
+        match self {
+            Self::Constant(sides) => sides.front(),
+            Self::Dispersing(sides) => sides.front(),
         }
     }
 

@@ -223,7 +223,7 @@ impl<T: Precision> CompiledFresnel<T> {
             }
             Self::Dielectric { .. } => vec![LOST_IN_BASE],
             Self::Polynomial(_) => vec!["conductor by polynomials"],
-            Self::Film { film, .. } if !film.description().is_base_opaque() => vec![LOST_IN_BASE],
+            Self::Film { film, .. } if !film.is_base_opaque() => vec![LOST_IN_BASE],
             _ => Vec::new(),
         }
     }
