@@ -330,8 +330,8 @@ typedef struct PellicleFilmDesc {
     // table that of its entries, a constant given by `eta` and `k` all wavelengths, and one that disperses 380-780 nm.
     uint32_t extrapolate;
     // The greatest standard deviation of the thickness that varies which calls may give, nm, within [0, 1e8];
-    // 0: calls give none. Tables of averages are made for it, with some times the bytes of the film's own. No layer
-    // that varies: INVALID_ARGUMENT.
+    // 0: calls give none. Where averages of up to 64 look-ups do not suffice, tables of averages are made, which
+    // PellicleFilmPlan::bytes counts. No layer that varies: INVALID_ARGUMENT.
     float thickness_spread_max_nm;
 } PellicleFilmDesc;
 

@@ -1,9 +1,9 @@
 //! Batches of a BSDF: evaluation and sampling for the elements of strided arrays.
 
 use super::chunk::{CHUNK, Chunks, Column, SAMPLE_CHUNK};
-use super::varying::{MAX_FLOATS, Room, VaryingViews};
+use super::varying::{Room, VaryingViews};
 use super::view::{ConstView, Span, View, is_apart};
-use crate::bsdf::{Bsdf, Call, EvalJob, SampleJob};
+use crate::bsdf::{Bsdf, Call, EvalJob, MAX_FLOATS, SampleJob};
 use crate::error::Error;
 use crate::num::Level;
 

@@ -1,11 +1,8 @@
 //! Batches of spectral calls, over elements and wavelengths.
 
 use super::view::{ConstView, View, check_reach};
-use crate::bsdf::{AtWavelengths, Bsdf, Call, MAX_VARYING, MAX_WAVELENGTHS};
+use crate::bsdf::{AtWavelengths, Bsdf, Call, MAX_SPECTRAL_FLOATS, MAX_VARYING, MAX_WAVELENGTHS};
 use crate::error::Error;
-
-/// The most numbers that the varying parameters of an element have together.
-const MAX_FLOATS: usize = MAX_VARYING * MAX_WAVELENGTHS;
 
 /// What evaluation and sampling have in common.
 #[derive(Clone, Copy, Debug)]
@@ -94,17 +91,16 @@ pub unsafe fn eval_spectral(bsdf: &Bsdf, args: &EvalSpectralArgs) -> Result<(), 
     unsafe {
         inputs.each(bsdf, 0, |i, element| {
             let [mut values, mut densities] = [[0.0; MAX_WAVELENGTHS]; 2];
-            bsdf.eval_spectral(
+            bsdf.eval_spectral_checked(
                 element.wo.into(),
                 vector(wi, i).into(),
                 &element.at,
                 &inputs.call,
                 &mut values[..used],
                 &mut densities[..used],
-            )?;
+            );
             write(value, i, &values[..used]);
             write(pdf, i, &densities[..used]);
-            Ok(())
         })
     }
 }
@@ -147,14 +143,14 @@ pub unsafe fn sample_spectral(bsdf: &Bsdf, args: &SampleSpectralArgs) -> Result<
     unsafe {
         inputs.each(bsdf, args.hero, |i, element| {
             let [mut weights, mut densities] = [[0.0; MAX_WAVELENGTHS]; 2];
-            let sample = bsdf.sample_spectral(
+            let sample = bsdf.sample_spectral_checked(
                 element.wo.into(),
                 vector(&args.u, i).into(),
                 &element.at,
                 &inputs.call,
                 &mut weights[..used],
                 &mut densities[..used],
-            )?;
+            );
             write(&args.wi, i, &sample.wi.to_array());
             write(&args.weight, i, &weights[..used]);
             write(&args.pdf, i, &densities[..used]);
@@ -163,7 +159,6 @@ pub unsafe fn sample_spectral(bsdf: &Bsdf, args: &SampleSpectralArgs) -> Result<
             write(&args.flags, i, &[sample.flags.0]);
             write(&args.lobe, i, &[sample.lobe as u32]);
             write(&args.hero_only, i, &[u32::from(sample.is_hero_only)]);
-            Ok(())
         })
     }
 }
@@ -175,7 +170,7 @@ struct Element<'a> {
 }
 
 impl SpectralInputs<'_> {
-    /// Checks everything that may be refused, then calls `f` for each element, which cannot fail any more.
+    /// Checks everything that may be refused, then calls `f` for each element.
     ///
     /// # Safety
     /// Every address that the views stand for must be readable.
@@ -183,7 +178,7 @@ impl SpectralInputs<'_> {
         &self,
         bsdf: &Bsdf,
         hero: usize,
-        mut f: impl FnMut(usize, Element) -> Result<(), Error>,
+        mut f: impl FnMut(usize, Element),
     ) -> Result<(), Error> {
         let (count, used) = (self.count, self.lambda_count);
         self.wo.check("wo", 3, count)?;
@@ -198,11 +193,7 @@ impl SpectralInputs<'_> {
         }
         let mut components = [0; MAX_VARYING];
         for (components, varying) in components.iter_mut().zip(bsdf.varying()) {
-            *components = if varying.param.is_color() {
-                used
-            } else {
-                varying.param.components()
-            };
+            *components = varying.param.spectral_components(used);
         }
         for (view, components) in self.varying.iter().zip(components) {
             let strides = [view.element_stride, view.component_stride];
@@ -221,7 +212,7 @@ impl SpectralInputs<'_> {
             }
         }
         let mut lambda_nm = [0.0; MAX_WAVELENGTHS];
-        let mut numbers = [0.0; MAX_FLOATS];
+        let mut numbers = [0.0; MAX_SPECTRAL_FLOATS];
         for i in 0..count {
             // SAFETY: the caller vouches for every address.
             unsafe {
@@ -249,7 +240,7 @@ impl SpectralInputs<'_> {
                         varying: (!self.varying.is_empty()).then_some(&numbers[..floats]),
                     },
                 };
-                f(i, element)?;
+                f(i, element);
             }
         }
         Ok(())

@@ -2,12 +2,9 @@
 
 use super::chunk::{Chunk, LANES};
 use super::view::{ConstView, Span, check_reach};
-use crate::bsdf::{Bsdf, MAX_VARYING};
+use crate::bsdf::{Bsdf, MAX_FLOATS};
 use crate::error::Error;
 use std::mem::MaybeUninit;
-
-/// The greatest number of components of all varying parameters together.
-pub(super) const MAX_FLOATS: usize = 3 * MAX_VARYING;
 
 /// The numbers that a [`Room`] holds.
 const NUMBERS: usize = 2048;

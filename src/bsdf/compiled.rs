@@ -75,6 +75,23 @@ pub fn kernel<T: Precision>(compiled: impl Compiled<T>) -> Box<dyn Kernel<T>> {
 
 struct LobeKernel<C>(C);
 
+/// What restricts the surface of a call: the lobes that take part, and the wavelength of a spectral call, nm.
+#[derive(Clone, Copy)]
+struct Restriction<T> {
+    lobes: LobeSet,
+    lambda_nm: Option<T>,
+}
+
+impl<T> Restriction<T> {
+    /// That of an RGB call.
+    fn to(lobes: LobeSet) -> Self {
+        Self {
+            lobes,
+            lambda_nm: None,
+        }
+    }
+}
+
 impl<C> LobeKernel<C> {
     /// Calls `f` with the surface of a call that sets parameters or leaves lobes out; `None` if a value is
     /// unusable. It is not inlined, because calls that do neither need no surface in memory.
@@ -82,7 +99,7 @@ impl<C> LobeKernel<C> {
     fn with_varied<T: Precision, R>(
         &self,
         varying: &VaryingValues<T>,
-        lobes: LobeSet,
+        restriction: Restriction<T>,
         f: impl FnOnce(&C::Surface<'_, T>) -> R,
     ) -> Option<R>
     where
@@ -93,11 +110,14 @@ impl<C> LobeKernel<C> {
             #[inline(always)]
             |overrides| {
                 let mut surface = self.0.surface::<T>();
-                if !lobes.is_all() {
-                    surface.retain(lobes);
+                if !restriction.lobes.is_all() {
+                    surface.retain(restriction.lobes);
                 }
                 for (param, value) in overrides {
                     surface.vary(*param, *value);
+                }
+                if let Some(lambda_nm) = restriction.lambda_nm {
+                    surface.set_wavelength(lambda_nm);
                 }
                 surface.finish_vary();
                 f(&surface)
@@ -116,32 +136,28 @@ impl<C> LobeKernel<C> {
     ) where
         C: Compiled<T>,
     {
-        self.with_varied(varying, lobes, f);
+        self.with_varied(varying, Restriction::to(lobes), f);
     }
 
-    /// The surface at the wavelengths of a call from number `from` on, one in each lane, and the lanes whose values are
-    /// usable.
-    #[inline(always)]
-    fn at_wavelengths<T: Precision, L: Lane<Scalar = T>>(
+    /// Samples the surface of a call that is not plain.
+    #[inline(never)]
+    fn sample_varied<T: Precision>(
         &self,
-        call: &SpectralCall<T>,
-        from: usize,
-    ) -> (C::Surface<'_, L>, L::Mask)
+        wo: Vec3<T>,
+        u: [T; 3],
+        varying: &VaryingValues<T>,
+        restriction: Restriction<T>,
+    ) -> Direction<T>
     where
         C: Compiled<T>,
     {
-        let mut surface = self.0.surface::<L>();
-        if !call.lobes.is_all() {
-            surface.retain(call.lobes);
-        }
-        let is_usable = call.varying.clamp_inputs::<L>(
-            from,
+        self.with_varied(
+            varying,
+            restriction,
             #[inline(always)]
-            |param, value| surface.vary(param, value),
-        );
-        surface.set_wavelength(L::load(&call.lambda_nm[from..from + L::COUNT]));
-        surface.finish_vary();
-        (surface, is_usable)
+            |surface| sample(surface, restriction.lobes, true, wo, u),
+        )
+        .unwrap_or(Direction::none())
     }
 
     /// The kernel for loops without lanes, which run at the level "scalar" alone. With the formulas of every
@@ -177,7 +193,7 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         }
         self.with_varied(
             varying,
-            lobes,
+            Restriction::to(lobes),
             #[inline(always)]
             |surface| surface.eval(wo, wi),
         )
@@ -196,7 +212,7 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         }
         self.with_varied(
             varying,
-            lobes,
+            Restriction::to(lobes),
             #[inline(always)]
             |surface| eval_pdf(surface, lobes, wo, wi),
         )
@@ -214,13 +230,7 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         if is_plain(varying, lobes) {
             return sample(&self.settled::<T>(), lobes, true, wo, u);
         }
-        self.with_varied(
-            varying,
-            lobes,
-            #[inline(always)]
-            |surface| sample(surface, lobes, true, wo, u),
-        )
-        .unwrap_or(Direction::none())
+        self.sample_varied(wo, u, varying, Restriction::to(lobes))
     }
 
     fn eval_job(&self, level: Level, job: &mut EvalJob<T>) {
@@ -256,13 +266,21 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         call: &SpectralCall<T>,
         found: &mut SpectralValues<T>,
     ) {
-        let count = T::Wavelengths::COUNT;
-        for from in (0..call.count).step_by(count) {
-            let (surface, is_usable) = self.at_wavelengths::<T, T::Wavelengths>(call, from);
-            let (wo, wi) = (splat_vector(wo), splat_vector(wi));
+        let (wo, wi) = (splat_vector(wo), splat_vector(wi));
+        let zero = T::Wavelengths::new(0.0);
+        for used in call.blocks(T::Wavelengths::COUNT) {
+            let mut surface = self.0.surface::<T::Wavelengths>();
+            if !call.lobes.is_all() {
+                surface.retain(call.lobes);
+            }
+            let is_usable = call.varying.clamp_inputs::<T::Wavelengths>(
+                used.start,
+                #[inline(always)]
+                |param, value| surface.vary(param, value),
+            );
+            surface.set_wavelength(T::Wavelengths::load(&call.lambda_nm[used.clone()]));
+            surface.finish_vary();
             let ([value, ..], pdf) = eval_pdf(&surface, call.lobes, wo, wi);
-            let zero = T::Wavelengths::new(0.0);
-            let used = from..from + count;
             T::Wavelengths::select(is_usable, value, zero).store(&mut found.value[used.clone()]);
             T::Wavelengths::select(is_usable, pdf, zero).store(&mut found.pdf[used]);
         }
@@ -275,8 +293,11 @@ impl<T: Precision, C: Compiled<T>> Kernel<T> for LobeKernel<C> {
         call: &SpectralCall<T>,
         found: &mut SpectralValues<T>,
     ) -> (Direction<T>, bool) {
-        let (surface, is_usable) = self.at_wavelengths::<T, T>(call, call.hero);
-        let drawn = sample(&surface, call.lobes, is_usable, wo, u);
+        let restriction = Restriction {
+            lobes: call.lobes,
+            lambda_nm: Some(call.lambda_nm[call.hero]),
+        };
+        let drawn = self.sample_varied(wo, u, &call.varying.element(call.hero), restriction);
         if drawn.pdf > T::new(0.0) {
             self.eval_spectral(wo, drawn.wi, call, found);
             found.weigh(call.count);

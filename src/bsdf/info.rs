@@ -263,6 +263,15 @@ impl ParamInfo {
         }
     }
 
+    /// The number of values that a spectral call with `count` wavelengths takes: one per wavelength for a colour.
+    pub fn spectral_components(&self, count: usize) -> usize {
+        if self.is_color() {
+            count
+        } else {
+            self.components()
+        }
+    }
+
     /// Whether it is a colour, of which spectral calls take one number per wavelength.
     pub fn is_color(&self) -> bool {
         matches!(self.kind, ParamKind::Number { components: 3, .. }) && !self.is_index

@@ -33,5 +33,6 @@ pub use precision::Precision;
 pub use registry::{RegisteredModel, find, model_infos, models};
 pub use spectral::{AtWavelengths, SpectralSample};
 pub use values::{Bounds, Values};
-pub(crate) use varying::MAX_VARYING;
+pub(crate) use varying::{MAX_FLOATS, MAX_VARYING};
+pub(crate) use wavelengths::MAX_SPECTRAL_FLOATS;
 pub use wavelengths::MAX_WAVELENGTHS;

@@ -6,14 +6,14 @@
 //!
 //! **Weights.** A direction is sampled for one wavelength, the hero, and serves all of them. weight_j = value_j / mean of
 //! the densities of all wavelengths is the balance heuristic if every wavelength is as often the hero as any other
-//! (Wilkie et al. 2014, "Hero Wavelength Spectral Sampling", eq. 8 to 11).
+//! (Wilkie et al. 2014, "Hero Wavelength Spectral Sampling").
 
 use super::call::Call;
 use super::info::Flags;
 use super::instance::Bsdf;
 use super::job::{Direction, are_uniform};
 use super::precision::Precision;
-use super::varying::{MAX_FLOATS, MAX_VARYING, VaryingValues};
+use super::varying::{MAX_FLOATS, VaryingValues};
 use super::wavelengths::{MAX_WAVELENGTHS, PerWavelength, SpectralCall, SpectralValues};
 use crate::error::Error;
 use std::fmt::Display;
@@ -50,14 +50,12 @@ pub struct SpectralSample<T: Precision = f32> {
 }
 
 impl<T: Precision> Bsdf<T> {
-    /// The number of values in the `varying` of a spectral call with `count` wavelengths: colours have one per wavelength,
-    /// other parameters as many as they have components.
+    /// The number of values in the `varying` of a spectral call with `count` wavelengths. A colour has one value for each
+    /// wavelength, another parameter one for each of its components.
     pub fn spectral_varying_floats(&self, count: usize) -> usize {
-        let numbers = |param: &super::info::ParamInfo| match param.is_color() {
-            true => count,
-            false => param.components(),
-        };
-        self.varying().map(|varying| numbers(varying.param)).sum()
+        let each = self.varying();
+        each.map(|varying| varying.param.spectral_components(count))
+            .sum()
     }
 
     /// f(wo, wi) |wi.z| at each wavelength, and for each the density of wi as if it had been the hero.
@@ -77,18 +75,29 @@ impl<T: Precision> Bsdf<T> {
         value: &mut [T],
         pdf: &mut [T],
     ) -> Result<(), Error> {
-        let mut room = SpectralRoom::new();
-        let spectral = self.spectral_call(at, call, &mut room)?;
-        check_lengths(spectral.count, [("value", value.len()), ("pdf", pdf.len())])?;
-        let mut found = SpectralValues::new();
-        if let (Some(wo), Some(wi)) = (self.direction(wo), self.direction(wi))
-            && !spectral.lobes.is_empty()
-        {
-            self.kernel.eval_spectral(wo, wi, &spectral, &mut found);
-        }
-        value.copy_from_slice(&found.value[..spectral.count]);
-        pdf.copy_from_slice(&found.pdf[..spectral.count]);
+        self.check_spectral(at)?;
+        check_lengths(at, [("value", value.len()), ("pdf", pdf.len())])?;
+        self.eval_spectral_checked(wo, wi, at, call, value, pdf);
         Ok(())
+    }
+
+    /// [`Bsdf::eval_spectral`] with what it accepts.
+    pub(crate) fn eval_spectral_checked(
+        &self,
+        wo: T::Vector,
+        wi: T::Vector,
+        at: &AtWavelengths<T>,
+        call: &Call,
+        value: &mut [T],
+        pdf: &mut [T],
+    ) {
+        let mut found = SpectralValues::new();
+        if let (Some(wo), Some(wi)) = (self.direction(wo), self.direction(wi)) {
+            self.with_spectral_call(at, call, |spectral| {
+                self.kernel.eval_spectral(wo, wi, spectral, &mut found);
+            });
+        }
+        found.copy_to(value, pdf);
     }
 
     /// Samples a direction for the hero. `pdf` receives the densities as if each wavelength had been the hero; for a DELTA
@@ -110,64 +119,93 @@ impl<T: Precision> Bsdf<T> {
         weight: &mut [T],
         pdf: &mut [T],
     ) -> Result<SpectralSample<T>, Error> {
-        let mut room = SpectralRoom::new();
-        let spectral = self.spectral_call(at, call, &mut room)?;
-        let lengths = [("weight", weight.len()), ("pdf", pdf.len())];
-        check_lengths(spectral.count, lengths)?;
+        self.check_spectral(at)?;
+        check_lengths(at, [("weight", weight.len()), ("pdf", pdf.len())])?;
+        Ok(self.sample_spectral_checked(wo, u, at, call, weight, pdf))
+    }
+
+    /// [`Bsdf::sample_spectral`] with what it accepts.
+    pub(crate) fn sample_spectral_checked(
+        &self,
+        wo: T::Vector,
+        u: T::Vector,
+        at: &AtWavelengths<T>,
+        call: &Call,
+        weight: &mut [T],
+        pdf: &mut [T],
+    ) -> SpectralSample<T> {
         let u: [T; 3] = u.into();
         let mut found = SpectralValues::new();
         let (mut drawn, mut is_hero_only) = (Direction::none(), false);
-        if let Some(wo) = self.direction(wo)
-            && are_uniform(u)
-            && !spectral.lobes.is_empty()
-        {
-            (drawn, is_hero_only) = self.kernel.sample_spectral(wo, u, &spectral, &mut found);
+        if let Some(wo) = self.direction(wo).filter(|_| are_uniform(u)) {
+            self.with_spectral_call(at, call, |spectral| {
+                (drawn, is_hero_only) = self.kernel.sample_spectral(wo, u, spectral, &mut found);
+            });
         }
-        weight.copy_from_slice(&found.value[..spectral.count]);
-        pdf.copy_from_slice(&found.pdf[..spectral.count]);
+        found.copy_to(weight, pdf);
         let lobe = drawn.lobe.to_f32() as usize;
-        Ok(SpectralSample {
+        SpectralSample {
             wi: drawn.wi.to_array().into(),
             eta: drawn.eta,
             flags: self.sampled_flags(lobe, drawn.lobe_probability > T::new(0.0)),
             lobe,
             lobe_probability: drawn.lobe_probability,
             is_hero_only,
-        })
+        }
     }
 
-    /// Checks a call and lays its numbers out by wavelength.
-    fn spectral_call<'a>(
-        &'a self,
+    /// Calls `f` with the numbers of a call laid out by wavelength, if at least one lobe takes part.
+    fn with_spectral_call(
+        &self,
         at: &AtWavelengths<T>,
         call: &Call,
-        room: &'a mut SpectralRoom<'a, T>,
-    ) -> Result<SpectralCall<'a, T>, Error> {
+        f: impl FnOnce(&SpectralCall<T>),
+    ) {
         let AtWavelengths {
             lambda_nm,
             hero,
             varying,
         } = *at;
-        let count = lambda_nm.len();
-        self.check_wavelength_count(count, hero)?;
-        for (i, nm) in lambda_nm.iter().enumerate() {
-            self.check_wavelength(format_args!("lambda_nm[{i}]"), (*nm).into())?;
+        let lobes = self.wanted_lobes(call);
+        if lobes.is_empty() {
+            return;
         }
+        // Most calls give no values, and need no memory for them.
+        let mut room;
         let varying = match varying {
-            Some(numbers) => self.by_wavelength(numbers, count, room)?,
-            None => {
-                self.check_spectral_defaults(|_| true)?;
-                VaryingValues::none()
+            Some(numbers) => {
+                room = SpectralRoom::new();
+                self.by_wavelength(numbers, lambda_nm.len(), &mut room)
             }
+            None => VaryingValues::none(),
         };
-        Ok(SpectralCall {
+        f(&SpectralCall {
             lambda_nm: padded(lambda_nm),
-            count,
+            count: lambda_nm.len(),
             hero,
             varying,
-            lobes: self.wanted_lobes(call),
+            lobes,
             transport: call.transport,
-        })
+        });
+    }
+
+    fn check_spectral(&self, at: &AtWavelengths<T>) -> Result<(), Error> {
+        let count = at.lambda_nm.len();
+        self.check_wavelength_count(count, at.hero)?;
+        for (i, nm) in at.lambda_nm.iter().enumerate() {
+            self.check_wavelength(format_args!("lambda_nm[{i}]"), (*nm).into())?;
+        }
+        let Some(numbers) = at.varying else {
+            return self.check_spectral_defaults(|_| true);
+        };
+        let needed = self.spectral_varying_floats(count);
+        if numbers.len() != needed {
+            return Err(Error::invalid(format!(
+                "varying has {} numbers; {count} wavelengths take {needed}",
+                numbers.len()
+            )));
+        }
+        Ok(())
     }
 
     /// Refuses a BSDF without spectral calls, and a number of wavelengths and a hero that no call has.
@@ -220,46 +258,35 @@ impl<T: Precision> Bsdf<T> {
         Ok(())
     }
 
-    /// One column for each component of what varies, with the values at each wavelength.
+    /// One column for each component of what varies, with the values at each wavelength. A colour has one column, which
+    /// serves for its three components.
     fn by_wavelength<'a>(
         &'a self,
         numbers: &[T],
         count: usize,
         room: &'a mut SpectralRoom<'a, T>,
-    ) -> Result<VaryingValues<'a, T>, Error> {
-        let needed = self.spectral_varying_floats(count);
-        if numbers.len() != needed {
-            return Err(Error::invalid(format!(
-                "varying has {} numbers; {count} wavelengths take {needed}",
-                numbers.len()
-            )));
-        }
+    ) -> VaryingValues<'a, T> {
         let SpectralRoom { columns, slices } = room;
-        // A colour has one column, which serves for its three components.
-        let (mut rest, mut used, mut columns_of) = (numbers, 0, [(0, 0); MAX_VARYING]);
-        for (varying, columns_of) in self.varying().zip(&mut columns_of) {
-            let components = varying.param.components();
+        let mut columns = columns.iter_mut();
+        let mut filled = |values| -> &'a [T] {
+            let column = columns.next().expect("there is room for all parameters");
+            *column = values;
+            column
+        };
+        let (mut rest, mut floats) = (numbers, 0);
+        for varying in self.varying() {
+            let (own, after) = rest.split_at(varying.param.spectral_components(count));
+            let slices = &mut slices[floats..][..varying.param.components()];
             if varying.param.is_color() {
-                let (own, after) = rest.split_at(count);
-                columns[used] = padded(own);
-                (*columns_of, used, rest) = ((used, 0), used + 1, after);
+                slices.fill(filled(padded(own)));
             } else {
-                let (own, after) = rest.split_at(components);
-                for (column, number) in columns[used..].iter_mut().zip(own) {
-                    *column = [*number; MAX_WAVELENGTHS];
+                for (slice, number) in slices.iter_mut().zip(own) {
+                    *slice = filled([*number; MAX_WAVELENGTHS]);
                 }
-                (*columns_of, used, rest) = ((used, 1), used + components, after);
             }
+            (rest, floats) = (after, floats + slices.len());
         }
-        let columns: &'a [PerWavelength<T>] = columns;
-        let mut floats = 0;
-        for (varying, (first, step)) in self.varying().zip(columns_of) {
-            for component in 0..varying.param.components() {
-                slices[floats] = &columns[first + component * step];
-                floats += 1;
-            }
-        }
-        Ok(self.varying_columns(&slices[..floats]))
+        self.varying_columns(&slices[..floats])
     }
 }
 
@@ -283,7 +310,11 @@ fn padded<T: Copy>(numbers: &[T]) -> PerWavelength<T> {
     std::array::from_fn(|i| numbers[i.min(numbers.len() - 1)])
 }
 
-fn check_lengths(count: usize, lengths: [(&str, usize); 2]) -> Result<(), Error> {
+fn check_lengths<T: Precision>(
+    at: &AtWavelengths<T>,
+    lengths: [(&str, usize); 2],
+) -> Result<(), Error> {
+    let count = at.lambda_nm.len();
     for (name, length) in lengths {
         if length != count {
             return Err(Error::invalid(format!(

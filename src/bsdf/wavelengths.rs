@@ -4,11 +4,15 @@ use super::call::Transport;
 use super::info::ModelInfo;
 use super::lobes::LobeSet;
 use super::values::Values;
-use super::varying::VaryingValues;
+use super::varying::{MAX_VARYING, VaryingValues};
 use crate::num::{Lane, Real, Vec3};
+use std::ops::Range;
 
 /// The greatest number of wavelengths of a call.
 pub const MAX_WAVELENGTHS: usize = 16;
+
+/// The most values that varying parameters have together in a spectral call.
+pub(crate) const MAX_SPECTRAL_FLOATS: usize = MAX_VARYING * MAX_WAVELENGTHS;
 
 /// A number for each wavelength of a call. Those beyond the last are not used.
 pub type PerWavelength<T> = [T; MAX_WAVELENGTHS];
@@ -29,6 +33,15 @@ pub struct SpectralCall<'a, T> {
     pub transport: Transport,
 }
 
+impl<T> SpectralCall<'_, T> {
+    /// The wavelengths in blocks of that many, of which the last may go beyond the last wavelength.
+    pub fn blocks(&self, length: usize) -> impl Iterator<Item = Range<usize>> {
+        (0..self.count)
+            .step_by(length)
+            .map(move |from| from..from + length)
+    }
+}
+
 /// What a kernel finds at each wavelength.
 pub struct SpectralValues<T> {
     /// f |wi.z|; of a sample value / mean of the densities.
@@ -45,6 +58,12 @@ impl<T: Real> SpectralValues<T> {
             value: zeros,
             pdf: zeros,
         }
+    }
+
+    /// Copies the numbers of the wavelengths that a call has, as many as `value` and `pdf` hold.
+    pub fn copy_to(&self, value: &mut [T], pdf: &mut [T]) {
+        value.copy_from_slice(&self.value[..value.len()]);
+        pdf.copy_from_slice(&self.pdf[..pdf.len()]);
     }
 
     /// Makes values weights: divides them by the mean of the densities over `count` wavelengths.

@@ -117,6 +117,33 @@ pub(super) unsafe fn numbers<const N: usize>(
     Ok(unsafe { pointer.cast::<[f32; N]>().read_unaligned() })
 }
 
+/// `count` numbers behind a pointer that is not NULL, where they lie or, if they are not aligned, as a copy in `room`.
+#[inline(always)]
+pub(super) unsafe fn floats<const N: usize>(
+    pointer: *const f32,
+    count: usize,
+    room: &mut MaybeUninit<[f32; N]>,
+) -> &[f32] {
+    // SAFETY: the caller vouches for `count` numbers.
+    unsafe {
+        if pointer.is_aligned() {
+            std::slice::from_raw_parts(pointer, count)
+        } else {
+            copied(pointer, count, room.write([0.0; N]))
+        }
+    }
+}
+
+#[cold]
+#[inline(never)]
+unsafe fn copied(pointer: *const f32, count: usize, room: &mut [f32]) -> &[f32] {
+    for (i, number) in room[..count].iter_mut().enumerate() {
+        // SAFETY: the caller vouches for `count` numbers.
+        *number = unsafe { pointer.add(i).read_unaligned() };
+    }
+    &room[..count]
+}
+
 /// Refuses NULL for an output.
 #[inline(always)]
 pub(super) fn require<T>(pointer: *const T, name: &str) -> Result<(), Error> {

@@ -1,16 +1,13 @@
 //! Single calls of a BSDF.
 
-use super::boundary::{check_output, guard, guard_call, numbers, require, write_growing};
+use super::boundary::{check_output, floats, guard, guard_call, numbers, require, write_growing};
 use super::bsdf::{handle, traps};
 use super::bsdf_types::PellicleSample;
 use super::c_types::size_t;
 use super::call::call_options;
 use super::types::{PellicleBsdf, PellicleCall, PellicleStatus};
-use crate::bsdf::{Bsdf, MAX_VARYING};
+use crate::bsdf::{Bsdf, MAX_FLOATS};
 use std::mem::MaybeUninit;
-
-/// The most numbers that varying parameters have together.
-const MAX_FLOATS: usize = 3 * MAX_VARYING;
 
 /// Evaluates f(wo, wi) |wi.z|, the density with which pellicle_bsdf_sample() finds wi from wo, and the
 /// density with which it finds wo from wi.
@@ -158,7 +155,7 @@ unsafe fn write_rgb(target: *mut f32, rgb: [f32; 3]) {
     unsafe { target.cast::<[f32; 3]>().write_unaligned(rgb) }
 }
 
-/// The caller's varying values where they lie, or a copy in `room` if they are not aligned.
+/// The caller's varying values.
 #[inline(always)]
 unsafe fn varying_numbers<'a>(
     bsdf: &Bsdf,
@@ -168,26 +165,6 @@ unsafe fn varying_numbers<'a>(
     if varying.is_null() {
         return None;
     }
-    let count = bsdf.varying_floats();
-    if !varying.is_aligned() {
-        // SAFETY: the caller vouches that a varying array holds all the BSDF's varying numbers.
-        return Some(unsafe { copied(varying, count, room) });
-    }
-    // SAFETY: as above, and aligned.
-    Some(unsafe { std::slice::from_raw_parts(varying, count) })
-}
-
-#[cold]
-#[inline(never)]
-unsafe fn copied(
-    varying: *const f32,
-    count: usize,
-    room: &mut MaybeUninit<[f32; MAX_FLOATS]>,
-) -> &[f32] {
-    let room = room.write([0.0; MAX_FLOATS]);
-    for (i, number) in room[..count].iter_mut().enumerate() {
-        // SAFETY: the caller vouches for `count` numbers.
-        *number = unsafe { varying.add(i).read_unaligned() };
-    }
-    &room[..count]
+    // SAFETY: the caller vouches that a varying array holds all the BSDF's varying numbers.
+    Some(unsafe { floats(varying, bsdf.varying_floats(), room) })
 }

@@ -2,7 +2,7 @@
 
 use super::batch::varying_views;
 use super::boundary::{
-    check_output, guard, guard_call, numbers, read_growing, require, write_growing,
+    check_output, floats, guard, guard_call, numbers, read_growing, require, write_growing,
 };
 use super::bsdf::{handle, traps};
 use super::bsdf_types::{
@@ -12,11 +12,9 @@ use super::c_types::size_t;
 use super::call::call_options;
 use super::types::{PellicleBsdf, PellicleCall, PellicleStatus};
 use crate::batch::{self, ConstView, EvalSpectralArgs, SampleSpectralArgs, SpectralInputs};
-use crate::bsdf::{AtWavelengths, Bsdf, MAX_VARYING, MAX_WAVELENGTHS};
+use crate::bsdf::{AtWavelengths, Bsdf, MAX_SPECTRAL_FLOATS, MAX_VARYING, MAX_WAVELENGTHS};
 use crate::error::Error;
-
-/// The most numbers that varying parameters have together in a spectral call.
-const MAX_FLOATS: usize = MAX_VARYING * MAX_WAVELENGTHS;
+use std::mem::MaybeUninit;
 
 /// Evaluates f(wo, wi) |wi.z| at `lambda_count` vacuum wavelengths, nm, and for each the density with which
 /// pellicle_bsdf_sample_spectral() finds wi if that wavelength is the hero.
@@ -53,14 +51,15 @@ pub unsafe extern "C" fn pellicle_bsdf_eval_spectral(
             let bsdf = &handle(bsdf)?.bsdf;
             let wo = numbers::<3>(wo, "wo")?.into();
             let wi = numbers::<3>(wi, "wi")?.into();
-            let inputs = Inputs::read(bsdf, varying, lambda_nm, lambda_count, 0)?;
+            let mut room = SpectralArrays::EMPTY;
+            let at = at_wavelengths(bsdf, varying, lambda_nm, lambda_count, 0, &mut room)?;
             if pdf.is_null() {
                 require(value, "value (and pdf)")?;
             }
             let call = call_options(call)?;
             let [mut values, mut densities] = [[0.0; MAX_WAVELENGTHS]; 2];
             let (values, densities) = (&mut values[..lambda_count], &mut densities[..lambda_count]);
-            bsdf.eval_spectral(wo, wi, &inputs.at(0), &call, values, densities)?;
+            bsdf.eval_spectral(wo, wi, &at, &call, values, densities)?;
             write(value, values);
             write(pdf, densities);
         }
@@ -104,12 +103,13 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_spectral(
             let bsdf = &handle(bsdf)?.bsdf;
             let wo = numbers::<3>(wo, "wo")?.into();
             let u = numbers::<3>(u, "u")?.into();
-            let inputs = Inputs::read(bsdf, varying, lambda_nm, lambda_count, hero)?;
+            let mut room = SpectralArrays::EMPTY;
+            let at = at_wavelengths(bsdf, varying, lambda_nm, lambda_count, hero, &mut room)?;
             let call = call_options(call)?;
             let [mut weights, mut densities] = [[0.0; MAX_WAVELENGTHS]; 2];
             let (weights, densities) =
                 (&mut weights[..lambda_count], &mut densities[..lambda_count]);
-            let drawn = bsdf.sample_spectral(wo, u, &inputs.at(hero), &call, weights, densities)?;
+            let drawn = bsdf.sample_spectral(wo, u, &at, &call, weights, densities)?;
             write(weight, weights);
             write(pdf, densities);
             let filled = PellicleSpectralSample {
@@ -206,59 +206,46 @@ pub unsafe extern "C" fn pellicle_bsdf_sample_spectral_batch(
     })
 }
 
-/// Copies of the arrays of a call, which may lie at any alignment.
-struct Inputs {
-    lambda_nm: [f32; MAX_WAVELENGTHS],
+/// The arrays of a call, where they lie or, if they are not aligned, as copies in `room`.
+///
+/// # Safety
+/// They must be NULL or as long as the call states.
+unsafe fn at_wavelengths<'a>(
+    bsdf: &Bsdf,
+    varying: *const f32,
+    lambda_nm: *const f32,
     lambda_count: usize,
-    /// The values of what varies, and their number; `None` for defaults.
-    floats: Option<usize>,
-    numbers: [f32; MAX_FLOATS],
-}
-
-impl Inputs {
-    /// # Safety
-    /// The arrays must be NULL or as long as the call states.
-    unsafe fn read(
-        bsdf: &Bsdf,
-        varying: *const f32,
-        lambda_nm: *const f32,
-        lambda_count: usize,
-        hero: usize,
-    ) -> Result<Self, Error> {
-        require(lambda_nm, "lambda_nm")?;
-        bsdf.check_wavelength_count(lambda_count, hero)?;
-        let mut inputs = Self {
-            lambda_nm: [0.0; MAX_WAVELENGTHS],
-            lambda_count,
-            floats: None,
-            numbers: [0.0; MAX_FLOATS],
-        };
-        let floats = bsdf.spectral_varying_floats(lambda_count);
-        // SAFETY: the caller vouches for `lambda_count` wavelengths and for all the values of what varies.
-        unsafe {
-            copy(lambda_nm, &mut inputs.lambda_nm[..lambda_count]);
-            if !varying.is_null() {
-                copy(varying, &mut inputs.numbers[..floats]);
-                inputs.floats = Some(floats);
-            }
-        }
-        Ok(inputs)
-    }
-
-    fn at(&self, hero: usize) -> AtWavelengths<'_> {
-        AtWavelengths {
-            lambda_nm: &self.lambda_nm[..self.lambda_count],
+    hero: usize,
+    room: &'a mut SpectralArrays,
+) -> Result<AtWavelengths<'a>, Error> {
+    require(lambda_nm, "lambda_nm")?;
+    bsdf.check_wavelength_count(lambda_count, hero)?;
+    // SAFETY: the caller vouches for `lambda_count` wavelengths and for all the values of what varies.
+    unsafe {
+        Ok(AtWavelengths {
+            lambda_nm: floats(lambda_nm, lambda_count, &mut room.lambda_nm),
             hero,
-            varying: self.floats.map(|floats| &self.numbers[..floats]),
-        }
+            varying: if varying.is_null() {
+                None
+            } else {
+                let count = bsdf.spectral_varying_floats(lambda_count);
+                Some(floats(varying, count, &mut room.varying))
+            },
+        })
     }
 }
 
-unsafe fn copy(source: *const f32, target: &mut [f32]) {
-    for (i, number) in target.iter_mut().enumerate() {
-        // SAFETY: the caller vouches for as many numbers.
-        *number = unsafe { source.add(i).read_unaligned() };
-    }
+/// Memory for copies of arrays, used for those that are not aligned.
+struct SpectralArrays {
+    lambda_nm: MaybeUninit<[f32; MAX_WAVELENGTHS]>,
+    varying: MaybeUninit<[f32; MAX_SPECTRAL_FLOATS]>,
+}
+
+impl SpectralArrays {
+    const EMPTY: Self = Self {
+        lambda_nm: MaybeUninit::uninit(),
+        varying: MaybeUninit::uninit(),
+    };
 }
 
 /// Writes an output, if it is wanted.

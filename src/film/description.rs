@@ -69,8 +69,8 @@ pub struct FilmDescription {
     /// are taken to be constant. Colours always are those of 380-780 nm.
     pub extrapolate: bool,
     /// The greatest standard deviation of the thickness that varies which calls may give, nm, in \[0,
-    /// [`MAX_THICKNESS_NM`]\]; 0 if none. Tables of averages are made for it, which
-    /// may take some times the bytes of the film's own: 4.6 times for soap of up to 1 um.
+    /// [`MAX_THICKNESS_NM`]\]; 0 if none. Where averages of up to
+    /// 64 look-ups do not suffice, tables of averages are made, which `bytes` of the plan counts.
     pub thickness_spread_max_nm: f64,
 }
 

@@ -14,5 +14,6 @@ mod lengths;
 mod registry;
 mod specialised;
 mod spectral;
+mod spectral_batch;
 mod strided;
 mod varying;

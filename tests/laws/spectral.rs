@@ -1,17 +1,11 @@
 //! Spectral calls against what else is known, over the whole registry: at 645, 525 and 445 nm they are the three
-//! channels, their densities are those of a gray surface with the colour of one wavelength, and samples, single
-//! precision and batches agree with evaluations.
-
-#![allow(unsafe_code)] // batches go by addresses
+//! channels, their densities are those of a gray surface with the colour of one wavelength, and samples and single
+//! precision agree with evaluations.
 
 use crate::common::calls::Calls;
 use crate::common::{Drawn, Variation, combinations, hemisphere, is_dirac, number, rng, uniforms};
-use glam::{DVec3, Vec3};
-use pellicle::batch::{
-    ConstView, EvalSpectralArgs, SampleSpectralArgs, SpectralInputs, View, eval_spectral,
-    sample_spectral,
-};
-use pellicle::bsdf::{MAX_WAVELENGTHS, ParamKind, Precision, RegisteredModel, models};
+use glam::DVec3;
+use pellicle::bsdf::{MAX_WAVELENGTHS, Precision, RegisteredModel, models};
 use pellicle::{AtWavelengths, Bsdf, Call, Status};
 use rand::Rng;
 use rand::RngExt;
@@ -23,15 +17,15 @@ const CHANNELS_NM: [f64; 3] = [645.0, 525.0, 445.0];
 const DRAWS: u64 = 12;
 
 /// A drawn surface whose colours are all given per call.
-struct Case {
+pub struct Case {
     drawn: Drawn,
-    single: Bsdf<f32>,
+    pub single: Bsdf<f32>,
     double: Bsdf<f64>,
     variations: Vec<Variation>,
 }
 
 /// The cases of a model that spectral calls take. Those that they refuse are seen to be refused for the right reason.
-fn cases(entry: &'static RegisteredModel) -> Vec<Case> {
+pub fn cases(entry: &'static RegisteredModel) -> Vec<Case> {
     let mut found = Vec::new();
     for seed in 0..combinations(entry).max(DRAWS) {
         let drawn = Drawn::new(entry, 700 + seed);
@@ -71,7 +65,7 @@ fn is_taken(case: &Case) -> bool {
 }
 
 /// Numbers of what varies for a spectral call.
-fn spectral_numbers(case: &Case, count: usize, rng: &mut impl Rng) -> Vec<f32> {
+pub fn spectral_numbers(case: &Case, count: usize, rng: &mut impl Rng) -> Vec<f32> {
     let mut numbers = Vec::new();
     for variation in &case.variations {
         if case.drawn.entry.info.params[variation.param].is_color() {
@@ -106,13 +100,13 @@ fn gray_numbers(case: &Case, spectral: &[f32], count: usize, j: usize) -> Vec<f3
 }
 
 /// Values and densities of a spectral evaluation.
-struct Spectral<T> {
-    value: Vec<T>,
-    pdf: Vec<T>,
+pub struct Spectral<T> {
+    pub value: Vec<T>,
+    pub pdf: Vec<T>,
 }
 
 impl<T: Precision> Spectral<T> {
-    fn of(
+    pub fn of(
         bsdf: &Bsdf<T>,
         [wo, wi]: [DVec3; 2],
         varying: &[f32],
@@ -275,7 +269,7 @@ fn a_density_is_that_of_a_gray_surface_with_the_colour_of_its_wavelength() {
     assert!(compared > 500, "{compared}");
 }
 
-fn sampled<T: Precision>(
+pub fn sampled<T: Precision>(
     bsdf: &Bsdf<T>,
     wo: DVec3,
     u: DVec3,
@@ -331,175 +325,56 @@ fn single_precision_follows_double() {
     }
 }
 
-/// Elements of a batch.
-const COUNT: usize = 21;
-
-/// Numbers that lie one element after another.
-fn rows(numbers: &[f32], components: usize) -> ConstView {
-    ConstView {
-        data: numbers.as_ptr(),
-        element_stride: 4 * components as isize,
-        component_stride: 4,
-    }
-}
-
-fn rows_mut<T>(numbers: &mut [T], components: usize) -> View<T> {
-    View {
-        data: numbers.as_mut_ptr(),
-        element_stride: 4 * components as isize,
-        component_stride: 4,
-    }
-}
-
+/// A mirror sends every wavelength the same way, with the weight of a gray mirror that has its colour.
 #[test]
-fn batches_are_the_bits_of_single_calls() {
-    let (mut values, mut samples) = (0, 0);
+fn a_mirror_weighs_each_wavelength_by_its_own_reflectance() {
+    let mut compared = 0;
     for entry in models() {
-        for case in cases(entry).iter().step_by(3) {
-            let mut rng = rng(5);
-            let count = rng.random_range(1..=MAX_WAVELENGTHS);
-            let hero = rng.random_range(0..count);
-            let bsdf = &case.single;
-            let each = |rng: &mut _| hemisphere(rng).as_vec3();
-            let wo: Vec<Vec3> = (0..COUNT).map(|_| each(&mut rng)).collect();
-            let wi: Vec<Vec3> = (0..COUNT).map(|_| each(&mut rng)).collect();
-            let u: Vec<[f32; 3]> = (0..COUNT).map(|_| uniforms(&mut rng)).collect();
-            let lambda_nm: Vec<f32> = (0..COUNT * count)
-                .map(|_| rng.random_range(400.0..700.0))
-                .collect();
-            let numbers: Vec<Vec<f32>> = (0..COUNT)
-                .map(|_| spectral_numbers(case, count, &mut rng))
-                .collect();
-            let floats = bsdf.spectral_varying_floats(count);
-            assert_eq!(floats, numbers[0].len());
-            let (flat, mut first, mut views) = (numbers.concat(), 0, Vec::new());
-            for varying in bsdf.varying() {
-                let view = rows(&flat[first.min(flat.len() - 1)..], floats);
-                views.push(view);
-                let of_color = varying.param.is_color();
-                first += if of_color {
-                    count
-                } else {
-                    varying.param.components()
-                };
-            }
-            let inputs = SpectralInputs {
-                count: COUNT,
-                lambda_count: count,
-                call: Call::default(),
-                lambda_nm: rows(&lambda_nm, count),
-                wo: rows(
-                    wo.iter()
-                        .flat_map(|w| w.to_array())
-                        .collect::<Vec<_>>()
-                        .leak(),
-                    3,
-                ),
-                varying: &views,
-            };
-            let wi_flat: Vec<f32> = wi.iter().flat_map(|w| w.to_array()).collect();
-            let [mut value, mut pdf, mut weight, mut density] =
-                [(); 4].map(|()| vec![-1.0; COUNT * count]);
-            let args = EvalSpectralArgs {
-                inputs,
-                wi: rows(&wi_flat, 3),
-                value: rows_mut(&mut value, count),
-                pdf: rows_mut(&mut pdf, count),
-            };
-            // SAFETY: the views are those of arrays of COUNT elements.
-            unsafe { eval_spectral(bsdf, &args).unwrap() };
-            let mut directions = vec![-1.0; 3 * COUNT];
-            let [mut eta, mut probability] = [(); 2].map(|()| vec![-1.0; COUNT]);
-            let [mut flags, mut lobe, mut hero_only] = [(); 3].map(|()| vec![9_u32; COUNT]);
-            let args = SampleSpectralArgs {
-                inputs,
-                hero,
-                u: rows(u.as_flattened(), 3),
-                wi: rows_mut(&mut directions, 3),
-                weight: rows_mut(&mut weight, count),
-                pdf: rows_mut(&mut density, count),
-                eta: rows_mut(&mut eta, 1),
-                flags: rows_mut(&mut flags, 1),
-                lobe: rows_mut(&mut lobe, 1),
-                lobe_probability: rows_mut(&mut probability, 1),
-                hero_only: rows_mut(&mut hero_only, 1),
-            };
-            // SAFETY: the same.
-            unsafe { sample_spectral(bsdf, &args).unwrap() };
-            for i in 0..COUNT {
-                let own = i * count..(i + 1) * count;
-                let nm: Vec<f64> = lambda_nm[own.clone()]
-                    .iter()
-                    .map(|nm| f64::from(*nm))
-                    .collect();
-                let pair = [wo[i].as_dvec3(), wi[i].as_dvec3()];
-                let single = Spectral::of(bsdf, pair, &numbers[i], &nm).unwrap();
-                assert_eq!(bits(&single.value), bits(&value[own.clone()]));
-                assert_eq!(bits(&single.pdf), bits(&pdf[own.clone()]));
-                values += single.value.iter().filter(|value| **value > 0.0).count();
-                let u = Vec3::from(u[i]).as_dvec3();
-                let (sample, weights, pdfs) = sampled(bsdf, pair[0], u, &numbers[i], &nm, hero);
-                assert_eq!(bits(&weights), bits(&weight[own.clone()]));
-                assert_eq!(bits(&pdfs), bits(&density[own.clone()]));
-                let row = &directions[3 * i..3 * i + 3];
-                assert_eq!(bits(&sample.wi.to_array()), bits(row));
-                assert_eq!(
-                    [sample.eta, sample.lobe_probability],
-                    [eta[i], probability[i]]
-                );
-                let numbers = [
-                    sample.flags.0,
-                    sample.lobe as u32,
-                    sample.is_hero_only.into(),
-                ];
-                assert_eq!(numbers, [flags[i], lobe[i], hero_only[i]]);
-                samples += usize::from(sample.lobe_probability > 0.0);
-            }
-        }
-    }
-    assert!(values > 1000 && samples > 500, "{values} {samples}");
-}
-
-fn bits(numbers: &[f32]) -> Vec<u32> {
-    numbers.iter().map(|number| number.to_bits()).collect()
-}
-
-/// Dirac lobes: over the hero the mean of what is returned is the albedo at each wavelength.
-#[test]
-fn weights_of_dirac_lobes_sum_to_what_leaves() {
-    for entry in models() {
-        for case in &cases(entry) {
-            let is_mirror = is_dirac(&case.double) && case.double.lobe_infos().len() == 1;
-            if !is_mirror {
-                continue;
-            }
+        let cases = cases(entry);
+        let is_mirror = |case: &&Case| {
+            is_dirac(&case.double)
+                && case.double.lobe_infos().len() == 1
+                && is_gray_for_gray(&case.drawn)
+        };
+        for case in cases.iter().filter(is_mirror) {
             let mut rng = rng(6);
-            let wo = hemisphere(&mut rng);
-            let lambda_nm = [640.0, 450.0];
-            let numbers = spectral_numbers(case, 2, &mut rng);
-            let (sample, weight, pdf) =
-                sampled(&case.double, wo, DVec3::splat(0.5), &numbers, &lambda_nm, 1);
-            assert_eq!(pdf, [1.0; 2]);
-            assert!(sample.wi.distance(DVec3::new(-wo.x, -wo.y, wo.z)) < 1e-9);
-            assert!(
-                weight.iter().all(|weight| (0.0..=1.0).contains(weight)),
-                "{weight:?}"
-            );
+            for _ in 0..20 {
+                let wo = hemisphere(&mut rng);
+                let lambda_nm = [640.0, 450.0, 530.0];
+                let numbers = spectral_numbers(case, 3, &mut rng);
+                let u = DVec3::splat(0.5);
+                let (sample, weight, pdf) = sampled(&case.double, wo, u, &numbers, &lambda_nm, 1);
+                assert_eq!(pdf, [1.0; 3]);
+                assert!(sample.wi.distance(DVec3::new(-wo.x, -wo.y, wo.z)) < 1e-9);
+                for (j, weight) in weight.iter().enumerate() {
+                    let gray = in_precision(&gray_numbers(case, &numbers, 3, j));
+                    let own = case.double.sampled(wo, u, Some(&gray));
+                    assert!(
+                        is_close(*weight, own.weight[0], 1e-9),
+                        "{:?}",
+                        case.drawn.description
+                    );
+                    compared += usize::from(*weight > 0.0);
+                }
+            }
         }
     }
+    assert!(compared > 50, "{compared}");
 }
 
+/// Three numbers are colours but for these, which are indices.
 #[test]
-fn a_kind_that_is_a_choice_is_no_colour() {
+fn the_indices_of_the_registry_are_known() {
+    let mut indices = Vec::new();
     for entry in models() {
-        for param in entry.info.params {
-            let has_three = matches!(param.kind, ParamKind::Number { components: 3, .. });
-            assert_eq!(
-                param.is_color() || param.is_index,
-                has_three,
-                "{}",
-                param.name()
-            );
-        }
+        let params = entry.info.params.iter().filter(|param| param.is_index);
+        indices.extend(params.map(|param| (entry.name(), param.name())));
     }
+    indices.sort_unstable();
+    let known = [
+        ("layered", "eta"),
+        ("microfacet", "eta"),
+        ("microfacet", "k"),
+    ];
+    assert_eq!(indices, known);
 }

@@ -41,7 +41,7 @@ use crate::bsdf::model::{KernelResult, Model};
 use crate::bsdf::precision::Precision;
 use crate::bsdf::values::Values;
 use crate::bsdf::varying::VaryingValues;
-use crate::bsdf::wavelengths::{SpectralCall, SpectralValues};
+use crate::bsdf::wavelengths::{MAX_WAVELENGTHS, PerWavelength, SpectralCall, SpectralValues};
 use crate::film::{DIRECTION_NM, Film, MAX_THICKNESS_NM, Ray};
 use crate::num::{Real, Rgb, Vec3};
 use crate::optics::Interface;
@@ -211,43 +211,31 @@ impl<T: Precision> SmoothFilm<T> {
 }
 
 impl<T: Precision> SmoothFilm<T> {
-    /// The split of the light of one vacuum wavelength, nm, in all channels.
-    fn split_at(&self, overrides: &[(usize, [T; 3])], wo: Vec3<T>, lambda_nm: T) -> Split<T> {
-        let thickness = overrides.iter().find(|(param, _)| *param == THICKNESS_NM);
-        let thickness_nm = thickness.map_or(self.thickness_nm, |(_, value)| value[0]);
-        let ray = Ray {
-            cos_theta: wo.z.abs().into(),
-            thickness_nm: thickness_nm.into(),
-            wavelength_nm: lambda_nm.into(),
-        };
+    /// The reflected and the transmitted part of the power at each wavelength of a call, by wave optics.
+    fn powers(
+        &self,
+        thickness_nm: T,
+        wo: Vec3<T>,
+        call: &SpectralCall<T>,
+    ) -> [PerWavelength<T>; 2] {
         let side = if wo.z > T::new(0.0) {
             Side::Ambient
         } else {
             Side::Base
         };
-        let mut power = [T::new(0.0); 2];
-        self.film.each_response(
-            side,
-            1,
-            |_| ray,
-            |_, found| {
-                power = [
-                    found.unpolarized_reflectance(),
-                    found.unpolarized_transmittance(),
-                ]
-                .map(T::new);
-            },
-        );
-        let refraction = self.refraction.is_some();
-        let behind = refraction
-            .then(|| Refraction::at(&self.film, lambda_nm.into()).behind(wo))
-            .flatten();
-        let transmitted = behind.map_or(T::new(0.0), |_| power[1]);
-        Split {
-            reflected: [power[0]; 3],
-            transmitted: [transmitted; 3],
-            behind,
-        }
+        let ray = |j: usize| Ray {
+            cos_theta: wo.z.abs().into(),
+            thickness_nm: thickness_nm.into(),
+            wavelength_nm: call.lambda_nm[j].into(),
+        };
+        let [mut reflected, mut transmitted] = [[T::new(0.0); MAX_WAVELENGTHS]; 2];
+        self.film.each_response(side, call.count, ray, |j, found| {
+            reflected[j] = T::new(found.unpolarized_reflectance());
+            if self.refraction.is_some() {
+                transmitted[j] = T::new(found.unpolarized_transmittance());
+            }
+        });
+        [reflected, transmitted]
     }
 }
 
@@ -330,8 +318,8 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
             .unwrap_or(Direction::none())
     }
 
-    /// R and T at each wavelength are those of wave optics there. A lobe is chosen by the hero's; the direction of
-    /// refraction is the hero's too, which the others share only where neither half-space disperses.
+    /// A lobe is chosen by the hero's split. The direction of refraction is the hero's too, which the other wavelengths
+    /// share only where neither half-space disperses.
     fn sample_spectral(
         &self,
         wo: Vec3<T>,
@@ -339,37 +327,45 @@ impl<T: Precision> Kernel<T> for SmoothFilm<T> {
         call: &SpectralCall<T>,
         found: &mut SpectralValues<T>,
     ) -> (Direction<T>, bool) {
-        let at = |j: usize| {
-            with_overrides(&call.varying.element(j), |overrides| {
-                self.split_at(overrides, wo, call.lambda_nm[j])
-            })
+        let nothing = (Direction::none(), false);
+        // Nothing that varies is a colour, so that all wavelengths have the same values.
+        let thickness_nm = with_overrides(&call.varying, |overrides| {
+            let varied = overrides.iter().find(|(param, _)| *param == THICKNESS_NM);
+            varied.map_or(self.thickness_nm, |(_, value)| value[0])
+        });
+        let Some(thickness_nm) = thickness_nm else {
+            return nothing;
         };
-        let Some(split) = at(call.hero) else {
-            return (Direction::none(), false);
+        let [reflected, mut transmitted] = self.powers(thickness_nm, wo, call);
+        let refraction = |j: usize| Refraction::<T>::at(&self.film, call.lambda_nm[j].into());
+        let behind = self
+            .refraction
+            .and_then(|_| refraction(call.hero).behind(wo));
+        if behind.is_none() {
+            // A base that absorbs a little takes light at angles of total reflection, which has no direction.
+            transmitted[call.hero] = T::new(0.0);
+        }
+        let split = |j: usize| Split {
+            reflected: [reflected[j]; 3],
+            transmitted: [transmitted[j]; 3],
+            behind,
         };
-        let shares = split.choose(call.lobes);
+        let shares = split(call.hero).choose(call.lobes);
         let Some(lobe) = only(&chosen_lobe(&shares, u[0])) else {
-            return (Direction::none(), false);
+            return nothing;
         };
-        let (wi, eta) = match (lobe, split.behind) {
+        let (wi, eta) = match (lobe, behind) {
             (REFLECTION_LOBE, _) => (wo.mirrored(), T::new(1.0)),
             (_, Some(behind)) => behind,
-            _ => return (Direction::none(), false),
+            _ => return nothing,
         };
-        let mut is_hero_only = false;
-        for j in 0..call.count {
-            let Some(split) = at(j) else { continue };
-            if lobe == TRANSMISSION_LOBE && split.behind.map(|(_, own)| own) != Some(eta) {
-                is_hero_only = true;
-                continue;
-            }
+        let hero_index = refraction(call.hero).eta;
+        let is_hero_only =
+            lobe == TRANSMISSION_LOBE && (0..call.count).any(|j| refraction(j).eta != hero_index);
+        for j in (0..call.count).filter(|j| !is_hero_only || *j == call.hero) {
+            let split = split(j);
             found.value[j] = split.throughput(lobe, call.transport)[0];
             found.pdf[j] = split.choose(call.lobes)[lobe];
-        }
-        if is_hero_only {
-            let (value, probability) = (found.value[call.hero], found.pdf[call.hero]);
-            *found = SpectralValues::new();
-            (found.value[call.hero], found.pdf[call.hero]) = (value, probability);
         }
         found.weigh(call.count);
         let drawn = Direction {

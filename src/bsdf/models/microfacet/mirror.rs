@@ -10,7 +10,7 @@ use crate::bsdf::precision::Precision;
 use crate::bsdf::varying::VaryingValues;
 use crate::bsdf::wavelengths::{SpectralCall, SpectralValues};
 use crate::film::Film;
-use crate::num::{Rgb, Vec3};
+use crate::num::{Lane, Real, Rgb, Vec3};
 
 /// The compiled mirror.
 pub(super) struct Mirror<T: Precision> {
@@ -20,19 +20,10 @@ pub(super) struct Mirror<T: Precision> {
 }
 
 impl<T: Precision> Mirror<T> {
-    /// The reflectance of the channels or, in all channels, that at a vacuum wavelength in nm.
-    fn reflectance(
-        &self,
-        overrides: &[(usize, [T; 3])],
-        lambda_nm: Option<T>,
-        wo: Vec3<T>,
-    ) -> Rgb<T> {
+    fn reflectance(&self, overrides: &[(usize, [T; 3])], wo: Vec3<T>) -> Rgb<T> {
         let mut fresnel = self.fresnel.fresnel::<T>();
         for (param, value) in overrides {
             fresnel.vary(*param, *value);
-        }
-        if let Some(lambda_nm) = lambda_nm {
-            fresnel = fresnel.at_wavelength(&self.indices, lambda_nm);
         }
         let cos_theta = wo.z.min(T::new(1.0));
         let masking = self.masking.of_mirror(cos_theta);
@@ -62,7 +53,7 @@ impl<T: Precision> Kernel<T> for Mirror<T> {
         _lobes: LobeSet,
         _transport: Transport,
     ) -> Direction<T> {
-        let weight = with_overrides(varying, |overrides| self.reflectance(overrides, None, wo));
+        let weight = with_overrides(varying, |overrides| self.reflectance(overrides, wo));
         weight.map_or(Direction::none(), |weight| reflected(wo, weight))
     }
 
@@ -73,19 +64,23 @@ impl<T: Precision> Kernel<T> for Mirror<T> {
         call: &SpectralCall<T>,
         found: &mut SpectralValues<T>,
     ) -> (Direction<T>, bool) {
-        for j in 0..call.count {
-            let lambda_nm = Some(call.lambda_nm[j]);
-            let weight = with_overrides(&call.varying.element(j), |overrides| {
-                self.reflectance(overrides, lambda_nm, wo)[0]
-            });
-            let Some(weight) = weight else {
-                if j == call.hero {
-                    *found = SpectralValues::new();
-                    return (Direction::none(), false);
-                }
-                continue;
-            };
-            (found.value[j], found.pdf[j]) = (weight, T::new(1.0));
+        let (zero, one) = (T::Wavelengths::new(0.0), T::Wavelengths::new(1.0));
+        let cos_theta = wo.z.min(T::new(1.0));
+        let masking = T::Wavelengths::splat(self.masking.of_mirror(cos_theta));
+        for used in call.blocks(T::Wavelengths::COUNT) {
+            let mut fresnel = self.fresnel.fresnel::<T::Wavelengths>();
+            let varied = |param, value| fresnel.vary(param, value);
+            let is_usable = call.varying.clamp_inputs(used.start, varied);
+            let lambda_nm = T::Wavelengths::load(&call.lambda_nm[used.clone()]);
+            let fresnel = fresnel.at_wavelength(&self.indices, lambda_nm);
+            let [reflectance, ..] = fresnel.reflectance(T::Wavelengths::splat(cos_theta));
+            T::Wavelengths::select(is_usable, reflectance * masking, zero)
+                .store(&mut found.value[used.clone()]);
+            T::Wavelengths::select(is_usable, one, zero).store(&mut found.pdf[used]);
+        }
+        if found.pdf[call.hero] == T::new(0.0) {
+            *found = SpectralValues::new();
+            return (Direction::none(), false);
         }
         found.weigh(call.count);
         (reflected(wo, [found.value[call.hero]; 3]), false)
@@ -96,7 +91,7 @@ impl<T: Precision> Kernel<T> for Mirror<T> {
     }
 
     fn albedo(&self, wo: Vec3<T>, varying: &VaryingValues<T>, _: LobeSet) -> Rgb<T> {
-        with_overrides(varying, |overrides| self.reflectance(overrides, None, wo))
+        with_overrides(varying, |overrides| self.reflectance(overrides, wo))
             .unwrap_or([T::new(0.0); 3])
     }
 
